@@ -1,0 +1,73 @@
+#include "cli/scan_files.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "cli/errors.h"
+#include "export/glb.h"
+#include "export/obj.h"
+#include "export/ply.h"
+#include "export/png.h"
+#include "export/stl.h"
+
+namespace facescan {
+namespace fs = std::filesystem;
+namespace {
+
+/// Every name that a replay gives to a file.
+constexpr const char* kNames[] = {"mesh.ply", "mesh.obj",    "mesh.mtl",    "mesh.stl",
+                                  "mesh.glb", "texture.png", "preview.png", "report.json"};
+
+void removeStale(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_directory(file, error)) fs::remove(file, error);
+    if (error)
+        throw CommandError(EX_CANTCREAT, "cannot remove " + file.string() +
+                                             " of an earlier scan: " + error.message());
+}
+
+}  // namespace
+
+std::string& ScanFiles::add(const char* name) {
+    if (count_ == files_.size()) files_.emplace_back();
+    FileContent& file = files_[count_++];
+    file.path = name;
+    return file.bytes;
+}
+
+void ScanFiles::addMesh(const Reconstruction& result, std::span<const MeshFormat> formats) {
+    const auto wanted = [&](MeshFormat format) {
+        return std::ranges::find(formats, format) != formats.end();
+    };
+    const Mesh& mesh = result.mesh;
+    formatPng(view(result.texture), PngContent::photograph, add(kPlyTextureName));
+    if (mesh.triangles.empty()) return;
+
+    if (wanted(MeshFormat::glb)) {
+        std::string& glb = add("mesh.glb");
+        formatGlb(mesh, files_[count_ - 2].bytes, glb);
+    }
+    if (wanted(MeshFormat::obj)) {
+        add("mesh.mtl") = formatMtl(kPlyTextureName);
+        formatObj(mesh, "mesh.mtl", add("mesh.obj"));
+    }
+    if (wanted(MeshFormat::stl)) formatStl(mesh, add("mesh.stl"));
+    formatPly(mesh, add("mesh.ply"));
+}
+
+std::vector<std::string> ScanFiles::names() const {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < count_; ++k) names.push_back(files_[k].path.filename().string());
+    return names;
+}
+
+void ScanFiles::write(const fs::path& folder, Durability durability) {
+    const std::vector<std::string> written = names();
+    for (std::size_t k = 0; k < count_; ++k) files_[k].path = folder / files_[k].path.filename();
+    writeFiles(std::span(files_).first(count_), durability);
+    for (const char* name : kNames) {
+        if (std::ranges::find(written, name) == written.end()) removeStale(folder / name);
+    }
+}
+
+}  // namespace facescan

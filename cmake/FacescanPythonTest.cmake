@@ -1,0 +1,19 @@
+# facescan_python_test(NAME SCRIPT file [ARGS ...] [LABELS ...])
+#
+# A Python program as one CTest, which finds the programs of the build folder in $SCANEVAL_BIN.
+#
+# Python is the system's, the one that Debian's NumPy and SciPy are for, even where another stands
+# before it in the PATH.
+if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+    set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+function(facescan_python_test name)
+    cmake_parse_arguments(arg "" "SCRIPT" "ARGS;LABELS" ${ARGN})
+    add_test(NAME ${name}
+        COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/${arg_SCRIPT} ${arg_ARGS})
+    set_tests_properties(${name} PROPERTIES
+        LABELS "${arg_LABELS}"
+        ENVIRONMENT SCANEVAL_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+endfunction()

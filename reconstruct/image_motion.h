@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "reconstruct/stripe_images.h"
+#include "reconstruct/vertex_grid.h"
+
+namespace facescan {
+
+/// A similarity between two stripe images: a point p of the one stands at
+/// middle + shift + (1 + scale) · R(turn) (p − middle) in the other.
+struct ImageMotion {
+    float column = 0;  ///< shift, px
+    float y = 0;       ///< shift, px
+    float turn = 0;    ///< rad, from the columns' axis towards y
+    float scale = 0;   ///< relative change of size
+};
+
+/// A place in the stripe image, px.
+struct ImagePoint {
+    float column = 0;
+    float y = 0;
+};
+
+/// Scratch memory of estimateImageMotion.
+struct ImageMotionScratch {
+    std::vector<std::uint16_t> row;     ///< pattern + complement of a row, halved in width
+    std::vector<std::uint16_t> halved;  ///< the same, of a whole image at half size
+    std::vector<std::uint16_t> blurred_row;
+    std::vector<std::uint16_t> reference;  ///< the finest pair's image, halved and blurred
+    std::vector<std::uint16_t> current;
+    std::vector<std::uint8_t> on_surface;
+};
+
+/// How the scene stands displaced in each pair's image against the finest pair's.
+///
+/// Pattern + complement shows the scene as if evenly lit (the thesis' texture 2). Each such image,
+/// at half size and blurred, is registered to the finest pair's by Lucas and Kanade's method (1981)
+/// with a similarity, a gain and an offset, on the pixels that show the measured surface, with
+/// Tukey's weights against what does not move along.
+///
+/// @param middle  the point about which the similarities turn and scale
+/// @returns by pair; the finest pair's is zero, and so are those that the image does not determine
+std::array<ImageMotion, kMaxBits> estimateImageMotion(const StripeImages& images,
+                                                      const VertexGrid& grid,
+                                                      const ImagePoint& middle,
+                                                      ImageMotionScratch& scratch);
+
+}  // namespace facescan

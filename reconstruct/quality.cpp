@@ -1,0 +1,130 @@
+#include "reconstruct/quality.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace facescan {
+namespace {
+
+// Limits of the verdict. Shares are of the image's pixels.
+constexpr int kLitModulation = 8;         // grey levels: the projector's light reaches the pixel
+constexpr double kDarkShare = 0.01;       // less of the image lit than this is no scan
+constexpr double kChanceShare = 0.004;    // less surface than this is chance
+constexpr double kLittleShare = 0.05;     // less than this is no whole face
+constexpr double kSaturatedShare = 0.05;  // more than this costs vertices
+constexpr double kWhiteShare = 0.5;
+constexpr double kGapsCoverage = 0.8;
+constexpr double kLowModulation = 20;  // grey levels, median
+constexpr double kNoisyMm = 0.25;      // before smoothing; smoothing leaves about a third
+constexpr double kMovedMm = 2.0;       // compensation is proved up to here
+constexpr double kLostMm = 6.0;
+
+void measureLight(const PixelPlanes& planes, Report& report) {
+    std::array<int, 256> histogram{};
+    for (const std::uint8_t modulation : planes.modulation) ++histogram[modulation];
+    int lit = 0;
+    for (int level = kLitModulation; level < 256; ++level) lit += histogram[level];
+    const double pixels = double(planes.modulation.size());
+    report.lit_share = lit / pixels;
+    report.saturated_share = planes.saturated / pixels;
+    int below = 0;
+    for (int level = kLitModulation; level < 256 && 2 * below < lit; ++level) {
+        below += histogram[level];
+        report.modulation_median = level;
+    }
+}
+
+/// The pixels between neighbouring stripe edges of one column.
+double coveredPixels(const VertexGrid& grid, float stripe_width) {
+    const float widest = 4 * stripe_width;
+    double sum = 0;
+    for (std::size_t i = grid.columns; i + grid.columns < grid.size(); ++i) {
+        const std::size_t next = i + grid.columns;
+        if (grid.cell[i] == Cell::empty || grid.cell[next] == Cell::empty) continue;
+        const float width = std::fabs(grid.y[next] - grid.y[i]);
+        if (width < widest) sum += width;
+    }
+    return sum;
+}
+
+float medianContrast(const VertexGrid& grid, std::vector<float>& scratch) {
+    scratch.clear();
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        if (grid.cell[i] == Cell::measured) scratch.push_back(grid.light[i].contrast);
+    }
+    if (scratch.empty()) return 0;
+    const auto middle = scratch.begin() + std::ptrdiff_t(scratch.size() / 2);
+    std::nth_element(scratch.begin(), middle, scratch.end());
+    return *middle;
+}
+
+void reportMotion(const ScanDescription& scan, const StageFindings& findings, Report& report) {
+    const bool turned = scan.pattern.axis == CodeAxis::x;
+    for (int pair = 0; pair < scan.pattern.bits; ++pair) {
+        const ImageMotion& image = findings.image_motions[pair];
+        const auto& t = findings.motion.pairs[pair].translation;
+        PairMotion& motion = report.motion[pair];
+        motion.dx_px = turned ? image.y : image.column;
+        motion.dy_px = turned ? image.column : image.y;
+        motion.shift_mm = std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
+        const double shift_px =
+            std::sqrt(double(motion.dx_px) * motion.dx_px + double(motion.dy_px) * motion.dy_px);
+        report.motion_max_px = std::max(report.motion_max_px, shift_px);
+        report.motion_max_mm = std::max(report.motion_max_mm, double(motion.shift_mm));
+    }
+}
+
+/// Why there is no surface.
+Reason missingSurface(const Report& report) {
+    if (report.saturated_share > kWhiteShare) return Reason::over_exposed;
+    if (report.lit_share < kDarkShare) return Reason::dark;
+    return Reason::no_pattern;
+}
+
+/// The most serious flaw of a surface.
+Reason worstFlaw(const Report& report, double surface_share) {
+    if (surface_share < kLittleShare) return Reason::too_little_surface;
+    if (report.motion_max_mm > kMovedMm) return Reason::moved;
+    if (report.saturated_share > kSaturatedShare) return Reason::over_exposed;
+    if (report.noise_mm > kNoisyMm) return Reason::noisy;
+    if (report.modulation_median < kLowModulation) return Reason::low_contrast;
+    if (report.coverage < kGapsCoverage) return Reason::gaps;
+    return Reason::none;
+}
+
+}  // namespace
+
+void assessQuality(const ScanDescription& scan, const PixelPlanes& planes, const VertexGrid& grid,
+                   const StageFindings& findings, std::vector<float>& scratch, Mesh& mesh,
+                   Report& report) {
+    measureLight(planes, report);
+    reportMotion(scan, findings, report);
+    const double pixels = double(planes.modulation.size());
+    const double covered = coveredPixels(grid, findings.stripe_width_px);
+    const double beyond = double(findings.out_of_range) * findings.stripe_width_px;
+    const double within = report.lit_share * pixels - beyond;
+    report.coverage = covered > 0 ? covered / std::max(covered, within) : 0.0;
+    report.noise_mm =
+        findings.noise.pixels(medianContrast(grid, scratch)) * std::fabs(findings.mm_per_px);
+
+    if (covered < kChanceShare * pixels || mesh.triangles.empty()) {
+        mesh.vertices.clear();
+        mesh.triangles.clear();
+        report.coverage = 0;
+        report.verdict = Verdict::repeat;
+        report.reason = missingSurface(report);
+        return;
+    }
+    report.vertices_filled = int(std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
+                                               [](const Vertex& v) { return v.quality == 0; }));
+    report.vertices_measured = int(mesh.vertices.size()) - report.vertices_filled;
+    report.triangles = int(mesh.triangles.size());
+    report.reason = worstFlaw(report, covered / pixels);
+    report.verdict = report.reason == Reason::none ? Verdict::good
+                     : report.motion_max_mm > kLostMm || report.saturated_share > kWhiteShare
+                         ? Verdict::repeat
+                         : Verdict::usable;
+}
+
+}  // namespace facescan

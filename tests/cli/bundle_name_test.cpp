@@ -1,0 +1,45 @@
+#include "cli/bundle_name.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/errors.h"
+
+namespace facescan {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(BundleName, IsTheLastComponent) {
+    EXPECT_EQ(bundleName("scans/anna"), "anna");
+    EXPECT_EQ(bundleName("anna"), "anna");
+    EXPECT_EQ(bundleName("/anna.bundle"), "anna.bundle");
+}
+
+TEST(BundleName, HasNoSlashesBehindIt) {
+    EXPECT_EQ(bundleName("scans/anna/"), "anna");
+    EXPECT_EQ(bundleName("scans/anna//"), "anna");
+    EXPECT_EQ(bundleName("scans/anna/."), "anna");
+    EXPECT_EQ(bundleName("scans/anna/x/.."), "anna");
+}
+
+TEST(BundleName, OfDotsIsThatOfTheFolder) {
+    const fs::path here = fs::canonical(fs::current_path());
+    EXPECT_EQ(bundleName("."), here.filename());
+    EXPECT_EQ(bundleName("./"), here.filename());
+    EXPECT_EQ(bundleName(".."), here.parent_path().filename());
+}
+
+TEST(BundleName, OfTheRootIsSomethingToWriteTo) {
+    EXPECT_EQ(bundleName("/"), "scan");
+}
+
+TEST(BundleName, TwoOfOneNameAreRefused) {
+    const std::vector<fs::path> bundles = {"a/anna", "bert", "b/anna/"};
+    EXPECT_THROW(distinctBundleNames(bundles), CommandError);
+}
+
+}  // namespace
+}  // namespace facescan

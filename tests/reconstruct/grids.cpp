@@ -1,0 +1,46 @@
+#include "reconstruct/grids.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facescan::test {
+
+VertexGrid makeGrid(int codes, int columns, const GridField& y, float contrast) {
+    VertexGrid grid;
+    grid.reset(codes, columns);
+    for (int code = 1; code < codes; ++code) {
+        for (int column = 0; column < columns; ++column) {
+            const double place = y(code, column);
+            if (!std::isfinite(place)) continue;
+            const std::size_t i = grid.index(code, column);
+            grid.cell[i] = Cell::measured;
+            grid.y[i] = float(place);
+            grid.light[i].contrast = contrast;
+            grid.light[i].brightness = 200;
+        }
+    }
+    return grid;
+}
+
+void cutHole(int code, int column, int codes, int columns, VertexGrid& grid) {
+    for (int c = code; c < code + codes; ++c) {
+        for (int x = column; x < column + columns; ++x) {
+            grid.cell[grid.index(c, x)] = Cell::empty;
+        }
+    }
+}
+
+int countCells(const VertexGrid& grid, Cell kind) {
+    return int(std::count(grid.cell.begin(), grid.cell.end(), kind));
+}
+
+std::vector<Point> flatPoints(const VertexGrid& grid) {
+    std::vector<Point> points(grid.size());
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const float column = float(int(i % grid.columns));
+        points[i] = {0.2f * (column - 0.5f * float(grid.columns)), 0.2f * grid.y[i], 400.0f};
+    }
+    return points;
+}
+
+}  // namespace facescan::test
