@@ -1,16 +1,21 @@
 #include "reconstruct/calibrate.h"
 
+#include <algorithm>
+
 namespace facescan {
 namespace {
 
-using Outputs = GridCalibration::Outputs;
-
-/// sum · x + c, for all outputs side by side.
-void multiplyAdd(Outputs& sum, float x, const Outputs& c) {
-    for (std::size_t output = 0; output < sum.size(); ++output) {
-        sum[output] = sum[output] * x + c[output];
-    }
+constexpr int termsOf(int degree) {
+    return (degree + 1) * (degree + 2) / 2;
 }
+
+/// Where the coefficient of y^j w^k stands: by power of y, and for each by power of the code, both
+/// from the highest down.
+int termIndex(int degree, int j, int k) {
+    const int lower = degree - j;  // powers of y above this one
+    return lower * (lower + 1) / 2 + (degree - j - k);
+}
+
 
 }  // namespace
 
@@ -26,6 +31,8 @@ void GridCalibration::prepare(const ScanDescription& scan, int columns, bool rec
     along_ = turned_ ? calibration.x : calibration.y;
     across_.offset -= turned_ ? scan.image.y : scan.image.x;
     along_.offset -= turned_ ? scan.image.x : scan.image.y;
+    columns_.resize(columns);
+    for (int column = 0; column < columns; ++column) columns_[column] = float(across_(column));
     device_ = recover_device ? recoverDevice(scan) : std::nullopt;
     if (!device_) tabulatePolynomials();
 }
@@ -33,101 +40,103 @@ void GridCalibration::prepare(const ScanDescription& scan, int columns, bool rec
 void GridCalibration::tabulatePolynomials() {
     const Calibration& calibration = scan_->calibration;
     const int degree = calibration.degree;
-    columns_.assign(column_count_, ColumnTable{});
+    const int term_count = termsOf(degree);
+    terms_.assign(std::size_t(3) * term_count * column_count_, 0.0f);
     for (int column = 0; column < column_count_; ++column) {
         const double u = across_(column);
         std::array<double, kMaxDegree + 1> powers{1};
         for (int i = 1; i <= degree; ++i) powers[i] = powers[i - 1] * u;
         for (int output = 0; output < 3; ++output) {
-            std::array<double, 21> sums{};
+            std::array<double, termsOf(kMaxDegree)> sums{};
             int n = 0;
             for (int i = 0; i <= degree; ++i) {
                 for (int j = 0; j <= degree - i; ++j) {
                     for (int k = 0; k <= degree - i - j; ++k, ++n) {
-                        sums[termIndex(turned_ ? i : j, k)] +=
+                        sums[termIndex(degree, turned_ ? i : j, k)] +=
                             calibration.coefficients[output][n] * powers[turned_ ? j : i];
                     }
                 }
             }
-            for (int term = 0; term < 21; ++term) {
-                columns_[column][term][output] = float(sums[term]);
+            for (int term = 0; term < term_count; ++term) {
+                terms_[(std::size_t(output) * term_count + term) * column_count_ + column] =
+                    float(sums[term]);
             }
         }
     }
 }
 
-GridCalibration::Line GridCalibration::line(int code, int column) const {
-    Line line;
-    line.calibration_ = this;
-    line.across_ = float(across_(column));
-    line.code_ = float(scan_->calibration.code(code));
-    if (device_) return line;
-    const ColumnTable& table = columns_[column];
-    const int degree = scan_->calibration.degree;
-    for (int j = 0; j <= degree; ++j) {
-        Outputs sum{};
-        for (int k = degree - j; k >= 0; --k) {
-            multiplyAdd(sum, line.code_, table[termIndex(j, k)]);
-        }
-        line.coefficients_[j] = sum;
+void GridCalibration::row(int code, int first, int count, const float* y, float shift,
+                          const PointRow& points) const {
+    const EdgeRow edges{columns_.data() + first, y, shift, float(along_.offset), float(1 / along_.scale)};
+    const float w = float(scan_->calibration.code(code));
+    if (!device_) {
+        const int degree = scan_->calibration.degree;
+        const PolynomialRow polynomial{degree, w, terms_.data() + first, column_count_,
+                                       std::ptrdiff_t(termsOf(degree)) * column_count_};
+        kernels().polynomialRow(polynomial, edges, count, points);
+        return;
     }
-    return line;
+    const DeviceModel& d = *device_;
+    const auto ray = [&](const std::array<double, 3>& r) {
+        return std::array{float(r[turned_ ? 1 : 0]), float(r[turned_ ? 0 : 1]), float(r[2])};
+    };
+    const auto plane = [&](int k) { return float(d.edge[k] + w * d.edge_per_code[k]); };
+    const DeviceRow device{
+        .ray_x = ray(d.ray_x),
+        .ray_y = ray(d.ray_y),
+        .radial = {float(d.radial[0]), float(d.radial[1]), float(d.radial[2])},
+        .tangential = {float(d.tangential[0]), float(d.tangential[1])},
+        .plane = {plane(0), plane(1), plane(2)},
+        .plane_distance = float(1 + w * d.offset_per_code)};
+    kernels().deviceRow(device, edges, count, points);
 }
 
-Point GridCalibration::Line::at(float y) const {
-    const GridCalibration& c = *calibration_;
-    const float along = (y - float(c.along_.offset)) * float(1 / c.along_.scale);
-    if (c.device_) {
-        const auto p =
-            c.turned_ ? c.device_->at(along, across_, code_) : c.device_->at(across_, along, code_);
-        return {p[0], p[1], p[2]};
-    }
-    Outputs sum{};
-    for (int j = c.scan_->calibration.degree; j >= 0; --j)
-        multiplyAdd(sum, along, coefficients_[j]);
-    return {sum[0], sum[1], sum[2]};
+Point GridCalibration::at(int code, int column, float y) const {
+    Point point;
+    row(code, column, 1, &y, 0, {&point.x, &point.y, &point.z});
+    return point;
 }
 
-Point GridCalibration::Line::slopeAt(float y) const {
-    const Point after = at(y + 0.5f);
-    const Point before = at(y - 0.5f);
+Point GridCalibration::slopeAt(int code, int column, float y) const {
+    const Point after = at(code, column, y + 0.5f);
+    const Point before = at(code, column, y - 0.5f);
     return {after.x - before.x, after.y - before.y, after.z - before.z};
 }
 
 void calibrateCells(const GridCalibration& calibration, const VertexGrid& grid,
-                    std::vector<Point>& points, std::vector<Point>* slopes) {
-    points.resize(grid.size());
-    if (slopes) slopes->resize(grid.size());
+                    PointPlanes& points) {
+    points.resize(grid.size() + VertexGrid::kBeyond);
     for (int code = 1; code < grid.codes; ++code) {
-        for (int column = 0; column < grid.columns; ++column) {
-            const std::size_t i = grid.index(code, column);
-            if (grid.cell[i] == Cell::empty) continue;
-            const GridCalibration::Line line = calibration.line(code, column);
-            points[i] = line.at(grid.y[i]);
-            if (slopes) (*slopes)[i] = line.slopeAt(grid.y[i]);
-        }
+        const auto [first, end] = grid.extent[code];
+        if (first >= end) continue;
+        const std::size_t i = grid.index(code, first);
+        calibration.row(code, first, end - first, grid.y.data() + i, 0, rowFrom(points, i));
     }
 }
 
 void calibrateFilledCells(const GridCalibration& calibration, const VertexGrid& grid,
-                          std::vector<Point>& points) {
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid.cell[i] != Cell::filled) continue;
-        const int code = int(i / grid.columns);
-        const int column = int(i % grid.columns);
-        points[i] = calibration.line(code, column).at(grid.y[i]);
+                          PointPlanes& points) {
+    for (int code = 1; code < grid.codes; ++code) {
+        for (int column = grid.extent[code].first; column < grid.extent[code].end; ++column) {
+            const std::size_t i = grid.index(code, column);
+            if (grid.cell[i] != Cell::filled) continue;
+            points.set(i, calibration.at(code, column, grid.y[i]));
+        }
     }
 }
 
-int rejectOutOfRange(const Calibration& calibration, const std::vector<Point>& points,
-                     VertexGrid& grid) {
+int rejectOutOfRange(const Calibration& calibration, const PointPlanes& points, VertexGrid& grid) {
+    const float nearest = float(calibration.range_min_mm);
+    const float farthest = float(calibration.range_max_mm);
     int emptied = 0;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid.cell[i] == Cell::empty) continue;
-        const float z = points[i].z;
-        if (z >= float(calibration.range_min_mm) && z <= float(calibration.range_max_mm)) continue;
-        grid.cell[i] = Cell::empty;
-        ++emptied;
+    for (int code = 1; code < grid.codes; ++code) {
+        const float* z = points.z.data() + grid.index(code, 0);
+        Cell* cell = grid.cell.data() + grid.index(code, 0);
+        for (int x = grid.extent[code].first; x < grid.extent[code].end; ++x) {
+            const bool outside = !(z[x] >= nearest && z[x] <= farthest) && cell[x] != Cell::empty;
+            cell[x] = outside ? Cell::empty : cell[x];
+            emptied += outside;
+        }
     }
     return emptied;
 }

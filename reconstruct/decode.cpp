@@ -2,175 +2,231 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cstring>
 
 namespace facescan {
 namespace {
-
-/// Pattern − complement and pattern + complement at a pixel, averaged over the neighbours along
-/// the stripe with weights 1 2 1 (times four).
-struct PixelContrast {
-    int difference;
-    int sum;
-
-    float normalised() const { return sum > 0 ? float(difference) / float(sum) : 0.0f; }
-};
-
-PixelContrast contrastAt(const StripeImages& images, int pair, int x, int y) {
-    const std::uint8_t* p = images.patternRow(pair, y);
-    const std::uint8_t* c = images.complementRow(pair, y);
-    const int left = x > 0 ? x - 1 : x;
-    const int right = x + 1 < images.width ? x + 1 : x;
-    const int p3 = p[left] + 2 * p[x] + p[right];
-    const int c3 = c[left] + 2 * c[x] + c[right];
-    return {p3 - c3, p3 + c3};
-}
-
-/// The scene's brightness and its relative change between the rows y and y + 1, from the sum of all
-/// frames, where no stripe is left.
-EdgeLight lightAt(const PixelPlanes& planes, int frames, int x, int y) {
-    const int left = std::max(x - 1, 0);
-    const int right = std::min(x + 1, planes.width - 1);
-    const auto row = [&](int r) {
-        return planes.brightness.data() + planes.index(0, std::clamp(r, 0, planes.height - 1));
-    };
-    const auto smoothed = [&](const std::uint16_t* b) { return b[left] + 2 * b[x] + b[right]; };
-    const int before = smoothed(row(y - 1));
-    const int upper = smoothed(row(y));
-    const int lower = smoothed(row(y + 1));
-    const int after = smoothed(row(y + 2));
-
-    EdgeLight light;
-    light.brightness = 0.25f * float(upper + lower) / float(frames);
-    // The means of the two upper and the two lower rows belong to places two pixels apart, and so
-    // do the columns left and right.
-    const int sum = before + upper + lower + after;
-    if (sum > 0) light.gradient_y = float(lower + after - before - upper) / float(sum);
-    const int left_sum = row(y)[left] + row(y + 1)[left];
-    const int right_sum = row(y)[right] + row(y + 1)[right];
-    if (left_sum + right_sum > 0) {
-        light.gradient_x = float(right_sum - left_sum) / float(left_sum + right_sum);
-    }
-    return light;
-}
 
 /// More stripes than this for each row of the image cannot be told apart; the grid, which has a row
 /// for each, stays within a multiple of the frames' size.
 constexpr int kMaxStripesPerRow = 20;
 
-struct Crossing {
-    float y;
-    EdgeLight light;
+/// Left neighbour, right neighbour, both inside the row.
+struct Beside {
+    int left;
+    int right;
+
+    Beside(int x, int width) : left(x > 0 ? x - 1 : x), right(x + 1 < width ? x + 1 : x) {}
 };
 
-/// The zero crossing of a pair's normalised frame between the rows y and y + 1: a line through
-/// four pixels with the weights ½ 1 1 ½, or through the inner two where the outer two belong to
-/// something else.
-Crossing locateCrossing(const StripeImages& images, const PixelPlanes& planes, int pair, int x,
-                        int y) {
-    const PixelContrast before = contrastAt(images, pair, x, std::max(y - 1, 0));
-    const PixelContrast upper = contrastAt(images, pair, x, y);
-    const PixelContrast lower = contrastAt(images, pair, x, y + 1);
-    const PixelContrast after = contrastAt(images, pair, x, std::min(y + 2, images.height - 1));
+/// P − C at a pixel, smoothed along the stripe with weights 1 2 1.
+int differenceAt(const std::uint8_t* p, const std::uint8_t* c, int x, const Beside& side) {
+    return p[side.left] + 2 * p[x] + p[side.right] - c[side.left] - 2 * c[x] - c[side.right];
+}
 
-    EdgeLight light = lightAt(planes, 2 * images.bits, x, y);
-    light.contrast = 0.25f * float(std::abs(upper.difference - lower.difference));
-    light.sense = lower.difference > upper.difference ? 1.0f : -1.0f;
-
-    const float n0 = upper.normalised();
-    const float n1 = lower.normalised();
-    float place = n0 / (n0 - n1);
-    // Weighted mean and slope of the values at −1, 0, 1, 2, about the middle ½.
-    const float mean = (0.5f * (before.normalised() + after.normalised()) + n0 + n1) / 3.0f;
-    const float slope =
-        (0.75f * (after.normalised() - before.normalised()) + 0.5f * (n1 - n0)) / 2.75f;
-    if (y > 0 && y + 2 < images.height && slope * (n1 - n0) > 0) {
-        const float four_pixels = 0.5f - mean / slope;
-        if (std::fabs(four_pixels - place) < 0.5f) place = four_pixels;
+/// Gathers what edges show, batch by batch, and lays what the kernel makes of it into the grid.
+class EdgeLocator {
+public:
+    EdgeLocator(const StripeImages& images, const PixelPlanes& planes, EdgeBatch& batch,
+                VertexGrid& grid)
+        : images_(images), planes_(planes), batch_(batch), grid_(grid) {
+        batch_.count = 0;
     }
-    return {float(y) + place, light};
-}
 
-/// The codeword around a crossing of `pair` between the rows y and y + 1, where the two pixels
-/// disagree in other pairs too: each other pair by the sign of both pixels together.
-std::uint32_t jointCodeword(const StripeImages& images, int pair, int x, int y) {
-    std::uint32_t codeword = 0;
-    for (int other = 0; other < images.bits; ++other) {
-        const int sum = contrastAt(images, other, x, y).difference +
-                        contrastAt(images, other, x, y + 1).difference;
-        codeword = codeword * 2 + std::uint32_t(other != pair && sum > 0);
+    /// The edge of `code` between the rows y and y + 1, which shows in `pair`.
+    void add(int pair, int code, int x, int y) {
+        const bool inside = y > 0 && y + 2 < images_.height;
+        const bool within = x > 0 && x + 1 < images_.width;
+        if (inside && within) {
+            gather(pair, x, y, {-1, 1}, {-1, 0, 1, 2});
+        } else {
+            const int last = images_.height - 1;
+            gather(pair, x, y, {x > 0 ? -1 : 0, x + 1 < images_.width ? 1 : 0},
+                   {y > 0 ? -1 : 0, 0, 1, y + 2 <= last ? 2 : 1});
+        }
+        const int n = batch_.count;
+        batch_.inside[n] = inside;
+        batch_.column[n] = std::uint16_t(x);
+        batch_.code[n] = std::uint16_t(code);
+        batch_.row[n] = y;
+        if (++batch_.count == EdgeBatch::kSize) flush();
     }
-    return codeword;
-}
 
-/// Whether codewords that differ in `bit` alone and agree with `codeword` elsewhere belong to
-/// neighbouring stripes: in a reflected Gray code the bits below then read 10…0.
-bool namesAnEdge(std::uint32_t codeword, std::uint32_t bit) {
-    return (codeword & (bit - 1)) == bit >> 1;
-}
-
-void decodeGap(const StripeImages& images, const PixelPlanes& planes, int x, int y,
-               std::vector<StripeEdge>& edges) {
-    const std::uint32_t above = planes.codeword[planes.index(x, y)];
-    const std::uint32_t below = planes.codeword[planes.index(x, y + 1)];
-    const std::uint32_t changed = above ^ below;
-    const bool alone = std::has_single_bit(changed);
-    for (std::uint32_t rest = changed; rest != 0; rest &= rest - 1) {
-        const std::uint32_t bit = rest & (0u - rest);
-        const int pair = images.bits - 1 - std::countr_zero(bit);
-        const std::uint32_t codeword = alone ? above : jointCodeword(images, pair, x, y);
-        if (!namesAnEdge(codeword, bit)) continue;
-
-        const std::uint32_t dark = grayStripe(codeword & ~bit);
-        const std::uint32_t lit = grayStripe(codeword | bit);
-        const Crossing crossing = locateCrossing(images, planes, pair, x, y);
-        edges.push_back({.y = crossing.y,
-                         .light = crossing.light,
-                         .column = std::uint16_t(x),
-                         .code = std::uint16_t(std::max(dark, lit)),
-                         .rising = (lit > dark) == ((below & bit) != 0)});
+    void flush() {
+        kernels().locateEdges(batch_, float(2 * images_.bits));
+        for (int n = 0; n < batch_.count; ++n) insert(n);
+        batch_.count = 0;
     }
-}
 
-/// Where a column shows one edge twice, the one of the higher contrast stays.
-void insertEdge(const StripeEdge& edge, VertexGrid& grid) {
-    const std::size_t i = grid.index(edge.code, edge.column);
-    if (grid.cell[i] == Cell::measured && grid.light[i].contrast >= edge.light.contrast) return;
-    grid.cell[i] = Cell::measured;
-    grid.y[i] = edge.y;
-    grid.light[i] = edge.light;
-}
+private:
+    /// @param side   offsets of the columns to either side
+    /// @param lines  offsets of the four rows around the gap below y
+    void gather(int pair, int x, int y, const std::array<int, 2>& side,
+                const std::array<int, 4>& lines) {
+        const int n = batch_.count;
+        const std::uint8_t* p = images_.patternRow(pair, y) + x;
+        const std::uint8_t* c = images_.complementRow(pair, y) + x;
+        const std::uint16_t* b = planes_.brightness.data() + planes_.index(x, y);
+        for (int r = 0; r < 4; ++r) {
+            const std::ptrdiff_t line = lines[r] * images_.row_stride;
+            const int p3 = p[line + side[0]] + 2 * p[line] + p[line + side[1]];
+            const int c3 = c[line + side[0]] + 2 * c[line] + c[line + side[1]];
+            batch_.difference[r][n] = p3 - c3;
+            batch_.sum[r][n] = p3 + c3;
+            const std::uint16_t* here = b + std::ptrdiff_t(lines[r]) * planes_.width;
+            batch_.brightness[r][n] = here[side[0]] + 2 * here[0] + here[side[1]];
+        }
+        const std::uint16_t* below = b + planes_.width;
+        batch_.brightness_left[n] = b[side[0]] + below[side[0]];
+        batch_.brightness_right[n] = b[side[1]] + below[side[1]];
+    }
+
+    /// Where a column shows one edge twice, the one of the higher contrast stays.
+    void insert(int n) {
+        const int column = batch_.column[n];
+        const std::size_t i = grid_.index(batch_.code[n], column);
+        if (grid_.cell[i] == Cell::measured && grid_.contrast[i] >= batch_.contrast[n]) return;
+        Extent& extent = grid_.extent[batch_.code[n]];
+        extent.first = std::min(extent.first, column);
+        extent.end = std::max(extent.end, column + 1);
+        grid_.cell[i] = Cell::measured;
+        grid_.y[i] = float(batch_.row[n]) + batch_.place[n];
+        grid_.contrast[i] = batch_.contrast[n];
+        grid_.gradient_x[i] = batch_.gradient_x[n];
+        grid_.gradient_y[i] = batch_.gradient_y[n];
+        grid_.drift_gain[i] = batch_.drift_gain[n];
+    }
+
+    const StripeImages& images_;
+    const PixelPlanes& planes_;
+    EdgeBatch& batch_;
+    VertexGrid& grid_;
+};
+
+/// Walks over the classified gaps between rows, and names the edges in them.
+class EdgeReader {
+public:
+    EdgeReader(const StripeImages& images, const PixelPlanes& planes, bool rising,
+               EdgeLocator& locator, int codes)
+        : images_(images), planes_(planes), rising_(rising), locator_(locator), codes_(codes) {}
+
+    /// @returns how many edges of the row run with the device
+    int readRow(const std::uint8_t* edge_class, int y) {
+        const std::uint8_t wanted = rising_ ? kRisingEdge : kFallingEdge;
+        const std::uint16_t* above = planes_.stripe.data() + planes_.index(0, y);
+        int decoded = 0;
+        for (int first = 0; first < images_.width; first += kGroup) {
+            const int count = std::min(kGroup, images_.width - first);
+            std::uint64_t any = 0;
+            std::memcpy(&any, edge_class + first, count);
+            if (any == 0) continue;
+            // Collected without a branch for each pixel, which none could predict.
+            std::array<int, kGroup> places;
+            std::array<int, kGroup> ambiguous_places;
+            int edges = 0;
+            int ambiguous = 0;
+            for (int x = first; x < first + count; ++x) {
+                places[edges] = x;
+                edges += edge_class[x] == wanted;
+                ambiguous_places[ambiguous] = x;
+                ambiguous += edge_class[x] == kAmbiguousEdge;
+            }
+            for (int n = 0; n < edges; ++n) {
+                const int code = above[places[n]] + int(rising_);
+                decoded += add(pairOfEdge(code, images_.bits), code, places[n], y);
+            }
+            for (int n = 0; n < ambiguous; ++n) decoded += readAmbiguous(ambiguous_places[n], y);
+        }
+        return decoded;
+    }
+
+private:
+    static constexpr int kGroup = 8;
+
+    int add(int pair, int code, int x, int y) {
+        if (code < codes_) locator_.add(pair, code, x, y);
+        return 1;
+    }
+
+    /// Where the two pixels disagree in more pairs than one, each of these is a place where an edge
+    /// can be: it is one if the other pairs, by both pixels together, name it.
+    int readAmbiguous(int x, int y) {
+        const std::size_t i = planes_.index(x, y);
+        const std::uint32_t above = grayCodeword(planes_.stripe[i]);
+        const std::uint32_t below = grayCodeword(planes_.stripe[i + planes_.width]);
+        const std::uint32_t changed = above ^ below;
+        if (std::has_single_bit(changed)) return 0;
+        int decoded = 0;
+        for (std::uint32_t rest = changed; rest != 0; rest &= rest - 1) {
+            const std::uint32_t bit = rest & (0u - rest);
+            const int pair = images_.bits - 1 - std::countr_zero(bit);
+            const std::uint32_t codeword = jointCodeword(pair, x, y);
+            if (!namesAnEdge(codeword, bit)) continue;
+            const std::uint32_t dark = grayStripe(codeword & ~bit);
+            const std::uint32_t lit = grayStripe(codeword | bit);
+            if (((lit > dark) == ((below & bit) != 0)) != rising_) continue;
+            decoded += add(pair, int(std::max(dark, lit)), x, y);
+        }
+        return decoded;
+    }
+
+    /// The codeword around a crossing of `pair`: each other pair by the sign of both pixels.
+    std::uint32_t jointCodeword(int pair, int x, int y) const {
+        const Beside side(x, images_.width);
+        std::uint32_t codeword = 0;
+        for (int other = 0; other < images_.bits; ++other) {
+            int difference = 0;
+            for (const int row : {y, y + 1}) {
+                difference += differenceAt(images_.patternRow(other, row),
+                                           images_.complementRow(other, row), x, side);
+            }
+            codeword = codeword * 2 + std::uint32_t(other != pair && difference > 0);
+        }
+        return codeword;
+    }
+
+    /// Whether codewords that differ in `bit` alone and agree with `codeword` elsewhere belong to
+    /// neighbouring stripes: in a reflected Gray code the bits below then read 10…0.
+    static bool namesAnEdge(std::uint32_t codeword, std::uint32_t bit) {
+        return (codeword & (bit - 1)) == bit >> 1;
+    }
+
+    const StripeImages& images_;
+    const PixelPlanes& planes_;
+    bool rising_;
+    EdgeLocator& locator_;
+    int codes_;
+};
 
 }  // namespace
 
 DecodeCounts decodeEdges(const StripeImages& images, const PixelPlanes& planes,
-                         const Options& options, std::vector<StripeEdge>& edges, VertexGrid& grid) {
-    DecodeCounts counts;
-    edges.clear();
-    for (int y = 0; y + 1 < images.height; ++y) {
-        const std::uint16_t* above = planes.codeword.data() + planes.index(0, y);
-        const std::uint16_t* below = above + planes.width;
+                         const Options& options, DecodeScratch& scratch, VertexGrid& grid) {
+    const int width = images.width;
+    const int gaps = images.height - 1;
+    scratch.edge_class.resize(std::size_t(width) * gaps);
+    EdgeCounts counts;
+    for (int y = 0; y < gaps; ++y) {
+        const std::uint16_t* stripe = planes.stripe.data() + planes.index(0, y);
         const std::uint8_t* modulation = planes.modulation.data() + planes.index(0, y);
-        for (int x = 0; x < images.width; ++x) {
-            if (above[x] == below[x]) continue;
-            if (std::min(modulation[x], modulation[x + planes.width]) < options.min_modulation) {
-                continue;
-            }
-            ++counts.found;
-            decodeGap(images, planes, x, y, edges);
-        }
+        const EdgeCounts row = kernels().classifyEdges(
+            stripe, stripe + width, modulation, modulation + width, options.min_modulation, width,
+            scratch.edge_class.data() + std::size_t(y) * width);
+        counts.found += row.found;
+        counts.rising += row.rising;
+        counts.falling += row.falling;
     }
 
-    const auto rising = std::count_if(edges.begin(), edges.end(),
-                                      [](const StripeEdge& edge) { return edge.rising; });
-    counts.rising = 2 * rising >= std::ptrdiff_t(edges.size());
-    counts.decoded = int(counts.rising ? rising : std::ptrdiff_t(edges.size()) - rising);
-
-    grid.reset(std::min(1 << images.bits, kMaxStripesPerRow * images.height), images.width);
-    for (const StripeEdge& edge : edges) {
-        if (edge.rising == counts.rising && edge.code < grid.codes) insertEdge(edge, grid);
+    DecodeCounts result{.found = counts.found, .rising = counts.rising >= counts.falling};
+    grid.reset(std::min(1 << images.bits, kMaxStripesPerRow * images.height), width);
+    EdgeLocator locator(images, planes, scratch.batch, grid);
+    EdgeReader reader(images, planes, result.rising, locator, grid.codes);
+    for (int y = 0; y < gaps; ++y) {
+        result.decoded +=
+            reader.readRow(scratch.edge_class.data() + std::size_t(y) * width, y);
     }
-    return counts;
+    locator.flush();
+    return result;
 }
 
 }  // namespace facescan

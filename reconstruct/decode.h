@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reconstruct/kernels/kernels.h"
 #include "reconstruct/options.h"
 #include "reconstruct/pixel_planes.h"
 #include "reconstruct/stripe_images.h"
@@ -10,19 +11,16 @@
 
 namespace facescan {
 
-/// A stripe edge as it was found in one column.
-struct StripeEdge {
-    float y;  ///< px along the code's axis
-    EdgeLight light;
-    std::uint16_t column;
-    std::uint16_t code;  ///< the edge lies between the stripes code − 1 and code
-    bool rising;         ///< whether the code rises with y here
-};
-
 struct DecodeCounts {
     int found = 0;    ///< zero crossings with sufficient modulation
     int decoded = 0;  ///< … whose neighbourhood names one stripe edge, in the device's direction
     bool rising = true;  ///< whether the code rises with y on this device
+};
+
+/// Scratch memory of decodeEdges.
+struct DecodeScratch {
+    std::vector<std::uint8_t> edge_class;  ///< of the image's size
+    EdgeBatch batch;
 };
 
 /// The second half of decoding: every Gray-code edge shows as the zero crossing of one pair's
@@ -32,8 +30,9 @@ struct DecodeCounts {
 /// a crossing that contradicts this is no edge. Whether the projector is mounted so that the code
 /// rises or falls is put to the vote; edges of the minority are dropped.
 ///
-/// `edges` is scratch memory. The grid is overwritten.
+/// The place is that of a line through four pixels with the weights ½ 1 1 ½, or through the inner
+/// two where the outer two belong to something else. The grid is overwritten.
 DecodeCounts decodeEdges(const StripeImages& images, const PixelPlanes& planes,
-                         const Options& options, std::vector<StripeEdge>& edges, VertexGrid& grid);
+                         const Options& options, DecodeScratch& scratch, VertexGrid& grid);
 
 }  // namespace facescan

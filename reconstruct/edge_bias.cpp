@@ -24,11 +24,6 @@ float edgeSlope(const VertexGrid& grid, std::size_t i, int column) {
     return std::fabs(slope) < kSteepest ? slope : 0.0f;
 }
 
-float driftShift(const EdgeLight& light, const ImagePoint& drift) {
-    if (!(light.contrast > 0)) return 0;
-    const float change = drift.column * light.gradient_x + drift.y * light.gradient_y;
-    return light.sense * change * light.brightness / (2 * light.contrast);
-}
 
 }  // namespace
 
@@ -58,10 +53,11 @@ void correctEdgeBias(double lens_blur_px, const PairDrift& drift, int bits, Vert
         for (int column = 0; column < grid.columns; ++column) {
             const std::size_t i = grid.index(code, column);
             if (grid.cell[i] == Cell::empty) continue;
-            const EdgeLight& light = grid.light[i];
-            const float blur =
-                variance * (light.gradient_y - light.gradient_x * edgeSlope(grid, i, column));
-            const float shift = blur + driftShift(light, pair_drift);
+            const float blur = variance * (grid.gradient_y[i] -
+                                           grid.gradient_x[i] * edgeSlope(grid, i, column));
+            const float change =
+                pair_drift.column * grid.gradient_x[i] + pair_drift.y * grid.gradient_y[i];
+            const float shift = blur + grid.drift_gain[i] * change;
             grid.scratch[i] = grid.y[i] + std::clamp(shift, -kLargestShift, kLargestShift);
         }
     }

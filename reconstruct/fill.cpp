@@ -64,7 +64,7 @@ void collectRim(const VertexGrid& grid, FillScratch& scratch) {
 }
 
 /// The diagonal of the box around the cells that touch the region, mm.
-float extent(const VertexGrid& grid, const FillScratch& scratch, const std::vector<Point>& points) {
+float extent(const VertexGrid& grid, const FillScratch& scratch, const PointPlanes& points) {
     constexpr float kFar = 1e9f;
     Point low{kFar, kFar, kFar};
     Point high{-kFar, -kFar, -kFar};
@@ -72,7 +72,7 @@ float extent(const VertexGrid& grid, const FillScratch& scratch, const std::vect
         for (const std::size_t n : {i - std::size_t(1), i + std::size_t(1),
                                     i - std::size_t(grid.columns), i + std::size_t(grid.columns)}) {
             if (grid.cell[n] == Cell::empty) continue;
-            const Point& p = points[n];
+            const Point p = points[n];
             low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
             high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
         }
@@ -136,7 +136,7 @@ void spreadResiduals(const VertexGrid& grid, FillScratch& scratch) {
     }
 }
 
-bool fillRegion(const Options& options, const std::vector<Point>& points, FillScratch& scratch,
+bool fillRegion(const Options& options, const PointPlanes& points, FillScratch& scratch,
                 VertexGrid& grid) {
     collectRim(grid, scratch);
     if (extent(grid, scratch, points) > float(options.max_hole_mm)) return false;
@@ -154,14 +154,14 @@ bool fillRegion(const Options& options, const std::vector<Point>& points, FillSc
     spreadResiduals(grid, scratch);
     for (const std::uint32_t i : scratch.region) {
         grid.y[i] = surface.at(i) + scratch.residual[i];
-        grid.light[i] = {};
+        grid.contrast[i] = 0;
     }
     return true;
 }
 
 }  // namespace
 
-FillCounts fillHoles(const Options& options, const std::vector<Point>& points, FillScratch& scratch,
+FillCounts fillHoles(const Options& options, const PointPlanes& points, FillScratch& scratch,
                      VertexGrid& grid) {
     FillCounts counts;
     scratch.visited.assign(grid.size(), 0);

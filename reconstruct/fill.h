@@ -30,7 +30,7 @@ struct FillScratch {
 /// passes through its rim: there is a real gap behind it, such as between chin and neck.
 ///
 /// @param points  the points of the measured cells
-FillCounts fillHoles(const Options& options, const std::vector<Point>& points, FillScratch& scratch,
+FillCounts fillHoles(const Options& options, const PointPlanes& points, FillScratch& scratch,
                      VertexGrid& grid);
 
 }  // namespace facescan

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reconstruct/kernels/kernels.h"
 #include "reconstruct/normal_equations.h"
 
 namespace facescan {
@@ -18,62 +19,81 @@ struct HalfImage {
     const std::uint16_t* row(int y) const { return pixels + std::ptrdiff_t(y) * width; }
 };
 
-void sumPairRow(const StripeImages& images, int pair, int y, int half_width, std::uint16_t* out) {
-    for (int x = 0; x < half_width; ++x) out[x] = 0;
-    for (int dy = 0; dy < 2; ++dy) {
-        const std::uint8_t* p = images.patternRow(pair, 2 * y + dy);
-        const std::uint8_t* c = images.complementRow(pair, 2 * y + dy);
-        for (int x = 0; x < half_width; ++x) {
-            out[x] = std::uint16_t(out[x] + p[2 * x] + p[2 * x + 1] + c[2 * x] + c[2 * x + 1]);
-        }
-    }
-}
-
-HalfImage blurredHalf(const StripeImages& images, int pair, ImageMotionScratch& scratch,
+HalfImage blurredHalf(const StripeImages& images, int pair, std::vector<std::uint16_t>& halved,
                       std::vector<std::uint16_t>& out) {
     const int width = images.width / 2;
     const int height = images.height / 2;
-    std::vector<std::uint16_t>& halved = scratch.halved;
     halved.resize(std::size_t(width) * height);
     out.resize(halved.size());
-    scratch.row.resize(width);
     for (int y = 0; y < height; ++y) {
-        std::uint16_t* sums = scratch.row.data();
-        sumPairRow(images, pair, y, width, sums);
-        std::uint16_t* blurred = halved.data() + std::size_t(y) * width;
-        blurred[0] = std::uint16_t(4 * sums[0]);
-        blurred[width - 1] = std::uint16_t(4 * sums[width - 1]);
-        for (int x = 1; x + 1 < width; ++x) {
-            blurred[x] = std::uint16_t(sums[x - 1] + 2 * sums[x] + sums[x + 1]);
-        }
+        kernels().halveRows({images.patternRow(pair, 2 * y), images.patternRow(pair, 2 * y + 1),
+                             images.complementRow(pair, 2 * y),
+                             images.complementRow(pair, 2 * y + 1)},
+                            width, halved.data() + std::size_t(y) * width);
     }
+    const auto row = [&](int y) {
+        return halved.data() + std::size_t(std::clamp(y, 0, height - 1)) * width;
+    };
     for (int y = 0; y < height; ++y) {
-        const std::uint16_t* above = halved.data() + std::size_t(std::max(y - 1, 0)) * width;
-        const std::uint16_t* here = halved.data() + std::size_t(y) * width;
-        const std::uint16_t* below =
-            halved.data() + std::size_t(std::min(y + 1, height - 1)) * width;
-        std::uint16_t* blurred = out.data() + std::size_t(y) * width;
-        for (int x = 0; x < width; ++x) {
-            blurred[x] = std::uint16_t(above[x] + 2 * here[x] + below[x]);
-        }
+        kernels().blurRows({row(y - 1), row(y), row(y + 1)}, width,
+                           out.data() + std::size_t(y) * width);
     }
     return {width, height, out.data()};
 }
 
-/// Which pixels of the half image show the measured surface.
-void findSurface(const VertexGrid& grid, int width, int height, std::vector<std::uint8_t>& on) {
-    on.assign(std::size_t(width) * height, 0);
+/// The pixels of a half image that are registered lie so far apart in rows and columns.
+constexpr int kSpacing = 3;
+// Brings levels near 0 … 1, where all unknowns have similar weight.
+constexpr float kUnit = 1.0f / (8 * 16 * 255);
+
+/// Picks the pixels that show the measured surface.
+void pickPixels(const HalfImage& reference, const VertexGrid& grid, const ImagePoint& middle,
+                ImageMotionScratch& scratch) {
+    const int across = reference.width / kSpacing;
+    const int down = reference.height / kSpacing;
+    scratch.on_surface.assign(std::size_t(across) * down, 0);
     for (int code = 1; code < grid.codes; ++code) {
-        for (int column = 0; column < 2 * width; ++column) {
-            const std::size_t i = grid.index(code, column);
+        for (int n = 0; n < across; ++n) {
+            const std::size_t i = grid.index(code, 2 * (kSpacing * n + 1));
             if (grid.cell[i] != Cell::measured) continue;
             // Stripe edges lie a few pixels apart: each stands for the rows around it.
-            const int row = int(grid.y[i] * 0.5f);
-            for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y) {
-                on[std::size_t(y) * width + column / 2] = 1;
-            }
+            const int row = int(grid.y[i] * 0.5f) / kSpacing;
+            if (row < down) scratch.on_surface[std::size_t(row) * across + n] = 1;
         }
     }
+
+    for (std::vector<float>* plane : {&scratch.level, &scratch.gradient_x, &scratch.gradient_y,
+                                      &scratch.lever_x, &scratch.lever_y}) {
+        plane->clear();
+    }
+    for (int row = 0; row < down; ++row) {
+        const int y = kSpacing * row + 1;
+        if (y + 1 >= reference.height) break;
+        for (int n = 0; n < across; ++n) {
+            const int x = kSpacing * n + 1;
+            if (!scratch.on_surface[std::size_t(row) * across + n]) continue;
+            if (x + 1 >= reference.width) break;
+            const std::uint16_t* here = reference.row(y) + x;
+            const int dy = here[reference.width] - here[-reference.width];
+            scratch.level.push_back(kUnit * float(here[0]));
+            scratch.gradient_x.push_back(0.5f * kUnit * float(here[1] - here[-1]));
+            scratch.gradient_y.push_back(0.5f * kUnit * float(dy));
+            scratch.lever_x.push_back(float(x) - middle.column);
+            scratch.lever_y.push_back(float(y) - middle.y);
+        }
+    }
+    scratch.pixels = int(scratch.level.size());
+    // What fills up the last group has no gradient and no level, and so no say.
+    const int padded = (scratch.pixels + kSumLanes - 1) / kSumLanes * kSumLanes;
+    for (std::vector<float>* plane : {&scratch.level, &scratch.gradient_x, &scratch.gradient_y,
+                                      &scratch.lever_x, &scratch.lever_y}) {
+        plane->resize(padded, 0.0f);
+    }
+    for (std::vector<float>* plane : {&scratch.part_x, &scratch.part_y, &scratch.weight}) {
+        plane->resize(padded);
+    }
+    for (auto* plane : {&scratch.x, &scratch.y}) plane->resize(padded);
+    for (auto& plane : scratch.warped) plane.resize(padded);
 }
 
 /// The unknowns of a registration, in pixels of the half image:
@@ -86,13 +106,12 @@ struct Registration {
 
 class Registrar {
 public:
-    Registrar(const HalfImage& reference, const HalfImage& current,
-              const std::vector<std::uint8_t>& on_surface, const ImagePoint& middle)
-        : reference_(reference), current_(current), on_surface_(on_surface), middle_(middle) {}
+    Registrar(const HalfImage& current, const ImagePoint& middle, ImageMotionScratch& scratch)
+        : current_(current), middle_(middle), scratch_(scratch) {}
 
     /// Gauss–Newton steps from `state`; false where the images do not determine a motion.
     bool refine(Registration& state) const {
-        constexpr int kSteps = 3;
+        constexpr int kSteps = 4;
         float scale = 0;
         for (int step = 0; step < kSteps; ++step) {
             if (!improve(state, scale)) return false;
@@ -108,39 +127,28 @@ public:
 private:
     static constexpr float kLargestShift = 8;     // px of the half image
     static constexpr float kLargestTurn = 0.02f;  // rad; the same for the scale
-    static constexpr int kSpacing = 3;   // of the pixels that are used, in rows and columns
-    static constexpr float kCut = 3.0f;  // mean absolute residuals
-    using Equations = NormalEquations<float, 6>;
+    static constexpr float kCut = 3.0f;           // mean absolute residuals
+    // Brings the unknowns' coefficients to similar size.
+    static constexpr float kPerLever = 1.0f / 64;
 
     /// One step. `scale`, the mean absolute residual of the step before, sets the robust weights;
     /// 0 weighs all pixels alike.
     bool improve(Registration& state, float& scale) const {
-        Equations equations;
-        double residuals = 0;
-        int count = 0;
-        for (int y = 1; y + 1 < reference_.height; y += kSpacing) {
-            // Sums of one row are added to the total, so that single precision suffices.
-            Equations row_equations;
-            for (int x = 1 + y / kSpacing % kSpacing; x + 1 < reference_.width; x += kSpacing) {
-                if (!on_surface_[std::size_t(y) * reference_.width + x]) continue;
-                Equations::Vector row;
-                float residual;
-                if (!observe(state, x, y, row, residual)) continue;
-                float weight = 1;
-                if (scale > 0) {
-                    const float u = residual / (kCut * scale);
-                    const float bell = 1 - u * u;
-                    weight = bell > 0 ? bell * bell : 0.0f;
-                }
-                residuals += std::fabs(residual);
-                ++count;
-                row_equations.add(row, -residual, weight);
-            }
-            equations.add(row_equations);
-        }
-        constexpr int kFewest = 500;
-        if (count < kFewest) return false;
-        Equations::Vector step{};
+        const float inside = warp(state.motion);
+        constexpr float kFewest = 500;
+        if (inside < kFewest) return false;
+
+        SixSums sums;
+        kernels().sumRegistration(pixels(), warped(),
+                                  {.unit = kUnit,
+                                   .gain = state.gain,
+                                   .offset = state.offset,
+                                   .per_lever = kPerLever,
+                                   .inverse_cutoff = scale > 0 ? 1 / (kCut * scale) : 0.0f},
+                                  sums);
+        NormalEquations<float, 6> equations;
+        equations.addSums(sums.products, sums.right);
+        std::array<float, 6> step{};
         if (!equations.solve(step)) return false;
         state.motion.column += step[0];
         state.motion.y += step[1];
@@ -148,55 +156,54 @@ private:
         state.motion.scale += step[3] * kPerLever;
         state.gain += step[4];
         state.offset += step[5];
-        scale = float(residuals / count);
+        scale = sums.residuals / inside;
         return true;
     }
 
-    /// The residual at a pixel of the reference, and its change with the unknowns; false where the
-    /// pixel leaves the image.
-    bool observe(const Registration& state, int x, int y, Equations::Vector& row,
-                 float& residual) const {
-        const ImageMotion& m = state.motion;
-        const float lever_x = float(x) - middle_.column;
-        const float lever_y = float(y) - middle_.y;
-        const float px = float(x) + m.column + m.scale * lever_x - m.turn * lever_y;
-        const float py = float(y) + m.y + m.scale * lever_y + m.turn * lever_x;
-        if (!(px >= 0) || !(py >= 0)) return false;
-        const int ix = int(px);
-        const int iy = int(py);
-        if (ix + 1 >= current_.width || iy + 1 >= current_.height) return false;
-        const float fx = px - float(ix);
-        const float fy = py - float(iy);
-        const std::uint16_t* upper = current_.row(iy) + ix;
-        const std::uint16_t* lower = current_.row(iy + 1) + ix;
-        const float top = float(upper[0]) + fx * float(upper[1] - upper[0]);
-        const float bottom = float(lower[0]) + fx * float(lower[1] - lower[0]);
-        const float value = kUnit * (top + fy * (bottom - top));
-
-        const std::uint16_t* here = reference_.row(y) + x;
-        const float level = kUnit * float(here[0]);
-        const float gradient_x = 0.5f * kUnit * float(here[1] - here[-1]) * state.gain;
-        const float gradient_y =
-            0.5f * kUnit * float(here[reference_.width] - here[-reference_.width]) * state.gain;
-        residual = value - state.gain * level - state.offset;
-        row = {gradient_x,
-               gradient_y,
-               kPerLever * (gradient_y * lever_x - gradient_x * lever_y),
-               kPerLever * (gradient_x * lever_x + gradient_y * lever_y),
-               -level,
-               -1.0f};
-        return true;
+    /// Looks up the current image where the motion takes the pixels. @returns how many stay inside
+    float warp(const ImageMotion& m) const {
+        kernels().warpPixels(pixels(),
+                             {.x = m.column,
+                              .y = m.y,
+                              .turn = m.turn,
+                              .scale = m.scale,
+                              .middle_x = middle_.column,
+                              .middle_y = middle_.y,
+                              .last_x = float(current_.width - 1),
+                              .last_y = float(current_.height - 1)},
+                             warped());
+        const int padded = int(scratch_.level.size());
+        for (int i = scratch_.pixels; i < padded; ++i) scratch_.weight[i] = 0;
+        int inside = 0;
+        for (int i = 0; i < padded; ++i) {
+            const std::uint16_t* upper = current_.row(scratch_.y[i]) + scratch_.x[i];
+            const std::uint16_t* lower = upper + current_.width;
+            scratch_.warped[0][i] = upper[0];
+            scratch_.warped[1][i] = upper[1];
+            scratch_.warped[2][i] = lower[0];
+            scratch_.warped[3][i] = lower[1];
+            inside += scratch_.weight[i] > 0;
+        }
+        return float(inside);
     }
 
-    // Bring the unknowns' coefficients to similar size.
-    static constexpr float kPerLever = 1.0f / 64;
-    // Brings levels near 0 … 1, where all unknowns have similar weight.
-    static constexpr float kUnit = 1.0f / (8 * 16 * 255);
+    RegistrationPixels pixels() const {
+        return {int(scratch_.level.size()),  scratch_.level.data(),   scratch_.gradient_x.data(),
+                scratch_.gradient_y.data(), scratch_.lever_x.data(), scratch_.lever_y.data()};
+    }
+    WarpedPixels warped() const {
+        return {scratch_.x.data(),
+                scratch_.y.data(),
+                scratch_.part_x.data(),
+                scratch_.part_y.data(),
+                scratch_.weight.data(),
+                {scratch_.warped[0].data(), scratch_.warped[1].data(), scratch_.warped[2].data(),
+                 scratch_.warped[3].data()}};
+    }
 
-    const HalfImage& reference_;
     const HalfImage& current_;
-    const std::vector<std::uint8_t>& on_surface_;
     ImagePoint middle_;  // px of the half image
+    ImageMotionScratch& scratch_;
 };
 
 }  // namespace
@@ -206,16 +213,17 @@ std::array<ImageMotion, kMaxBits> estimateImageMotion(const StripeImages& images
                                                       const ImagePoint& middle,
                                                       ImageMotionScratch& scratch) {
     std::array<ImageMotion, kMaxBits> motions{};
-    const HalfImage reference = blurredHalf(images, images.bits - 1, scratch, scratch.reference);
-    findSurface(grid, reference.width, reference.height, scratch.on_surface);
+    const HalfImage reference =
+        blurredHalf(images, images.bits - 1, scratch.halved, scratch.reference);
     // The middle of a half image's pixel lies half a pixel further on.
     const ImagePoint half_middle{0.5f * middle.column - 0.25f, 0.5f * middle.y - 0.25f};
+    pickPixels(reference, grid, half_middle, scratch);
     Registration state;
     // From the pair next in time to the reference to the first: each starts where the one after
     // it ended.
     for (int pair = images.bits - 2; pair >= 0; --pair) {
-        const HalfImage current = blurredHalf(images, pair, scratch, scratch.current);
-        if (!Registrar(reference, current, scratch.on_surface, half_middle).refine(state)) {
+        const HalfImage current = blurredHalf(images, pair, scratch.halved, scratch.current);
+        if (!Registrar(current, half_middle, scratch).refine(state)) {
             state = {};
             continue;
         }

@@ -26,12 +26,17 @@ struct ImagePoint {
 
 /// Scratch memory of estimateImageMotion.
 struct ImageMotionScratch {
-    std::vector<std::uint16_t> row;     ///< pattern + complement of a row, halved in width
-    std::vector<std::uint16_t> halved;  ///< the same, of a whole image at half size
-    std::vector<std::uint16_t> blurred_row;
+    std::vector<std::uint16_t> halved;     ///< pattern + complement at half size
     std::vector<std::uint16_t> reference;  ///< the finest pair's image, halved and blurred
     std::vector<std::uint16_t> current;
     std::vector<std::uint8_t> on_surface;
+
+    // See RegistrationPixels and WarpedPixels.
+    int pixels = 0;
+    std::vector<float> level, gradient_x, gradient_y, lever_x, lever_y;
+    std::vector<std::int32_t> x, y;
+    std::vector<float> part_x, part_y, weight;
+    std::array<std::vector<std::int32_t>, 4> warped;
 };
 
 /// How the scene stands displaced in each pair's image against the finest pair's.

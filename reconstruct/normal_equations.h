@@ -29,11 +29,12 @@ public:
         for (int i = 0; i < N; ++i) right_[i] += row[i] * value;
     }
 
-    /// Adds the sums over many equations at once: of the products of their coefficients, of which
-    /// the lower triangle is read, and of coefficient times value.
-    void addSums(const std::array<Vector, N>& products, const Vector& right) {
+    /// Adds the sums over many equations at once: of the products of their coefficients, the lower
+    /// triangle row by row, and of coefficient times value.
+    void addSums(const std::array<Scalar, N*(N + 1) / 2>& products, const Vector& right) {
+        int n = 0;
         for (int i = 0; i < N; ++i) {
-            for (int j = 0; j <= i; ++j) matrix_[i][j] += products[i][j];
+            for (int j = 0; j <= i; ++j, ++n) matrix_[i][j] += products[n];
             right_[i] += right[i];
         }
     }

@@ -1,37 +1,50 @@
 #include "reconstruct/normals.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace facescan {
+namespace {
 
-void addNormals(Mesh& mesh) {
-    for (Vertex& v : mesh.vertices) v.nx = v.ny = v.nz = 0;
-    for (const Triangle& triangle : mesh.triangles) {
-        const Vertex& a = mesh.vertices[triangle[0]];
-        const Vertex& b = mesh.vertices[triangle[1]];
-        const Vertex& c = mesh.vertices[triangle[2]];
-        const float ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
-        const float vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-        // The cross product's length is twice the area.
-        const float nx = uy * vz - uz * vy;
-        const float ny = uz * vx - ux * vz;
-        const float nz = ux * vy - uy * vx;
-        for (const std::uint32_t index : triangle) {
-            Vertex& v = mesh.vertices[index];
-            v.nx += nx;
-            v.ny += ny;
-            v.nz += nz;
+/// Before the quad of the first column stands one without triangles.
+constexpr int kMargin = 1;
+
+VertexCorners::Side sideFrom(const NormalScratch::Row& row, int column) {
+    const std::size_t i = std::size_t(column) + kMargin;
+    return {rowFrom(row.first, i), rowFrom(row.second, i), row.falling.data() + i};
+}
+
+}  // namespace
+
+void computeNormals(const VertexGrid& grid, const PointPlanes& points, const Quads& quads,
+                    float side, NormalScratch& scratch, PointPlanes& normals) {
+    normals.resize(grid.size() + VertexGrid::kBeyond);
+    for (NormalScratch::Row& row : scratch.rows) {
+        for (PointPlanes* planes : {&row.first, &row.second}) {
+            planes->clear(std::size_t(grid.columns) + kMargin);
         }
+        row.falling.assign(std::size_t(grid.columns) + kMargin, 0);
     }
-    for (Vertex& v : mesh.vertices) {
-        const float length = std::sqrt(v.nx * v.nx + v.ny * v.ny + v.nz * v.nz);
-        if (length > 0) {
-            v.nx /= length;
-            v.ny /= length;
-            v.nz /= length;
-        } else {
-            v.nz = -1;
+    for (int code = 1; code < grid.codes; ++code) {
+        NormalScratch::Row& south = scratch.rows[code % 2];
+        const NormalScratch::Row& north = scratch.rows[(code + 1) % 2];
+        for (PointPlanes* planes : {&south.first, &south.second}) {
+            planes->clear(std::size_t(grid.columns) + kMargin);
         }
+        const Extent quad = quadExtent(grid, code);
+        if (quad.first < quad.end) {
+            const std::size_t i = grid.index(code, quad.first);
+            const std::size_t next = i + grid.columns;
+            const std::size_t to = std::size_t(quad.first) + kMargin;
+            kernels().triangleNormals(
+                {rowFrom(points, i), rowFrom(points, next), nullptr, nullptr, nullptr, nullptr},
+                quads.from(i), quad.end - quad.first,
+                {rowFrom(south.first, to), rowFrom(south.second, to)});
+            std::copy_n(&quads.falling[i], quad.end - quad.first, &south.falling[to]);
+        }
+        const auto [first, end] = grid.extent[code];
+        if (first >= end) continue;
+        kernels().vertexNormals({sideFrom(south, first), sideFrom(north, first)}, side, end - first,
+                                rowFrom(normals, grid.index(code, first)));
     }
 }
 

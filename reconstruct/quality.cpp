@@ -51,7 +51,7 @@ double coveredPixels(const VertexGrid& grid, float stripe_width) {
 float medianContrast(const VertexGrid& grid, std::vector<float>& scratch) {
     scratch.clear();
     for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid.cell[i] == Cell::measured) scratch.push_back(grid.light[i].contrast);
+        if (grid.cell[i] == Cell::measured) scratch.push_back(grid.contrast[i]);
     }
     if (scratch.empty()) return 0;
     const auto middle = scratch.begin() + std::ptrdiff_t(scratch.size() / 2);

@@ -20,7 +20,7 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
     finished(Stage::preprocess);
 
     computePixelPlanes(images, work.planes);
-    const DecodeCounts decoded = decodeEdges(images, work.planes, options, work.edges, work.grid);
+    const DecodeCounts decoded = decodeEdges(images, work.planes, options, work.decode, work.grid);
     report.edges_found = decoded.found;
     report.edges_decoded = decoded.decoded;
     finished(Stage::decode);
@@ -32,7 +32,7 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
     report.vertices_rejected = rejectFalseEdges(options, decoded.rising, work.filter, work.grid);
     findings.stripe_width_px = medianStripeWidth(work.grid, work.values);
     work.calibration.prepare(scan, work.grid.columns, options.recover_device);
-    calibrateCells(work.calibration, work.grid, work.points, &work.slopes);
+    calibrateCells(work.calibration, work.grid, work.points);
     findings.out_of_range = rejectOutOfRange(scan.calibration, work.points, work.grid);
     report.vertices_rejected += findings.out_of_range;
     const SurfaceMiddle middle = findMiddle(work.grid, work.points);
@@ -40,7 +40,8 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
     finished(Stage::filter);
 
     if (options.compensate_motion) {
-        const MeasuredSurface surface{work.grid, work.points, work.slopes};
+        findReferencePlanes(work.calibration, work.grid, work.points, work.reference_planes);
+        const MeasuredSurface surface{work.grid, work.points, work.reference_planes};
         findings.image_motions =
             estimateImageMotion(images, work.grid, middle.place, work.image_motion);
         findings.motion = estimateSurfaceMotion(surface, work.calibration, images.bits, middle,
@@ -69,12 +70,16 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
     }
     finished(Stage::fill);
 
-    tessellate(scan, options, work.grid, work.points, decoded.rising, findings.noise,
-               work.tessellate, result.mesh);
+    tessellate(options, work.grid, work.points, decoded.rising, work.tessellate, work.quads);
     finished(Stage::tessellate);
 
-    addNormals(result.mesh);
+    const float side = turnsClockwise(scan.pattern, decoded.rising) ? -1.0f : 1.0f;
+    computeNormals(work.grid, work.points, work.quads, side, work.normal, work.normals);
     finished(Stage::normals);
+
+    layMesh(scan, work.grid, work.points, work.normals, work.quads, decoded.rising, findings.noise,
+            work.lay_mesh, result.mesh);
+    finished(Stage::mesh);
 
     assessQuality(scan, work.planes, work.grid, findings, work.values, result.mesh, report);
     finished(Stage::quality);

@@ -2,125 +2,126 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
-#include "reconstruct/window_fit.h"
+#include "reconstruct/kernels/kernels.h"
+#include "reconstruct/median.h"
 
 namespace facescan {
 namespace {
 
-/// Whether a cell has its four neighbours and lies near the middle between them: a patch made of
-/// such cells alone has no jump and no outlier.
-bool isRegular(const VertexGrid& grid, std::size_t i, float tolerance) {
-    const std::size_t up = i - grid.columns;
-    const std::size_t down = i + grid.columns;
-    if (grid.cell[i - 1] != Cell::measured || grid.cell[i + 1] != Cell::measured ||
-        grid.cell[up] != Cell::measured || grid.cell[down] != Cell::measured) {
-        return false;
+/// Marks the cells that have their four neighbours and lie near the middle between them: a window
+/// made of such cells alone has no jump and no outlier.
+void markRegularCells(const VertexGrid& grid, const RegularityLimits& limits,
+                      SmoothScratch& scratch) {
+    const std::size_t columns = grid.columns;
+    scratch.measured.resize(grid.size());
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        scratch.measured[i] = grid.cell[i] == Cell::measured;
     }
-    const float along = 2 * grid.y[i] - grid.y[i - 1] - grid.y[i + 1];
-    const float across = 2 * grid.y[i] - grid.y[up] - grid.y[down];
-    return std::fabs(along) < 2 * tolerance && std::fabs(across) < 2 * tolerance;
-}
-
-/// Says whether a window holds regular cells alone.
-class RegularReach {
-public:
-    RegularReach(const VertexGrid& grid, std::vector<std::uint8_t>& flags)
-        : grid_(grid), flags_(flags) {}
-
-    bool covers(const Window& window, int code, int column) const {
-        if (code < window.half_codes || code + window.half_codes >= grid_.codes ||
-            column < window.half_columns || column + window.half_columns >= grid_.columns) {
-            return false;
-        }
-        for (int c = code - window.half_codes; c <= code + window.half_codes; ++c) {
-            const std::uint8_t* flag = flags_.data() + grid_.index(c, column);
-            // A flag counts how many regular cells in a row end here, so that one look replaces
-            // a walk over the row.
-            if (flag[window.half_columns] < 2 * window.half_columns + 1) return false;
-        }
-        return true;
-    }
-
-private:
-    const VertexGrid& grid_;
-    const std::vector<std::uint8_t>& flags_;
-};
-
-void countRegularRuns(const VertexGrid& grid, float tolerance, const EdgeNoise& noise, float sigmas,
-                      std::vector<std::uint8_t>& flags) {
-    flags.assign(grid.size(), 0);
+    scratch.regular.assign(grid.size(), 0);
     for (int code = 1; code + 1 < grid.codes; ++code) {
-        std::uint8_t run = 0;
-        for (int column = 1; column + 1 < grid.columns; ++column) {
-            const std::size_t i = grid.index(code, column);
-            const float limit = std::max(tolerance, sigmas * noise.pixels(grid.light[i].contrast));
-            const bool regular = grid.cell[i] == Cell::measured && isRegular(grid, i, limit);
-            run = regular ? std::uint8_t(std::min(run + 1, 255)) : std::uint8_t(0);
-            flags[i] = run;
+        const int first = std::max(grid.extent[code].first, 1);
+        const int end = std::min(grid.extent[code].end, grid.columns - 1);
+        if (first >= end) continue;
+        const std::size_t row = grid.index(code, 0);
+        const std::uint8_t* m = scratch.measured.data() + row;
+        std::uint8_t* regular = scratch.regular.data() + row;
+        for (int x = first; x < end; ++x) {
+            regular[x] = m[x] & m[x - 1] & m[x + 1] & m[x - std::ptrdiff_t(columns)] &
+                         m[x + std::ptrdiff_t(columns)];
+        }
+        const float* y = grid.y.data() + row;
+        kernels().markRegular({y - columns, y, y + columns, grid.contrast.data() + row}, limits,
+                              first, end, regular);
+    }
+}
+
+/// Marks the cells whose whole window is regular.
+void markCovered(const VertexGrid& grid, const Window& window,
+                 const std::vector<std::uint8_t>& regular, std::vector<std::uint8_t>& row,
+                 std::vector<std::uint8_t>& covered) {
+    const int reach = window.half_columns;
+    const int count = grid.columns - 2 * reach;
+    covered.assign(grid.size(), 0);
+    if (count <= 0) return;
+    row.resize(grid.columns);
+    for (int code = window.half_codes + 1; code + window.half_codes < grid.codes; ++code) {
+        const Extent& extent = grid.extent[code];
+        const int first = std::max(extent.first, reach);
+        const int end = std::min(extent.end, grid.columns - reach);
+        if (first >= end) continue;
+        // Down the window's columns first, then along its rows.
+        std::fill(row.begin() + first - reach, row.begin() + end + reach, std::uint8_t(1));
+        for (int c = code - window.half_codes; c <= code + window.half_codes; ++c) {
+            const std::uint8_t* flags = regular.data() + grid.index(c, 0);
+            for (int x = first - reach; x < end + reach; ++x) row[x] &= flags[x];
+        }
+        std::uint8_t* out = covered.data() + grid.index(code, 0);
+        std::fill(out + first, out + end, std::uint8_t(1));
+        for (int dx = -reach; dx <= reach; ++dx) {
+            const std::uint8_t* flags = row.data() + dx;
+            for (int x = first; x < end; ++x) out[x] &= flags[x];
         }
     }
 }
 
-/// One row of the grid filtered by the windows' fixed weights, each worked out when first asked
-/// for.
-class FilteredRow {
+/// The limits of what noise explains.
+class NoiseLimits {
 public:
-    FilteredRow(const VertexGrid& grid, std::vector<float>& memory) : grid_(grid), memory_(memory) {
-        memory_.resize(kWindows.size() * grid.columns);
-    }
+    NoiseLimits(const Options& options, const EdgeNoise& noise)
+        : noise_(noise),
+          sigmas_(float(options.outlier_sigmas)),
+          floor_px_(float(options.noise_floor_px)),
+          largest_px_(float(options.max_residual_px)) {}
 
-    void start(int code) {
-        code_ = code;
-        done_.fill(false);
+    RegularityLimits regularity() const {
+        return {sigmas_ * floor_px_, sigmas_ * noise_.grey_levels};
     }
-
-    /// The fit's value at a column whose whole window is measured.
-    float at(int window, int column) {
-        float* row = memory_.data() + std::size_t(window) * grid_.columns;
-        if (!done_[window]) {
-            filter(window, row);
-            done_[window] = true;
-        }
-        return row[column];
+    float noisePx(float contrast) const { return noise_.pixels(contrast); }
+    float cutoffPx(float contrast) const {
+        return std::min(largest_px_, sigmas_ * std::max(floor_px_, noisePx(contrast)));
     }
 
 private:
-    void filter(int window, float* __restrict out) const {
-        const Window& shape = kWindows[window];
-        const int reach = shape.half_columns;
-        const int count = grid_.columns - 2 * reach;
-        const float* weight = fixedWeights(window).data();
-        std::fill_n(out, grid_.columns, 0.0f);
-        for (int c = -shape.half_codes; c <= shape.half_codes; ++c) {
-            const float* row = grid_.y.data() + grid_.index(code_ + c, 0);
-            for (int first = 0; first <= 2 * reach; ++first, ++weight) {
-                const float* __restrict in = row + first;
-                float* __restrict sums = out + reach;
-                const float w = *weight;
-#pragma GCC ivdep
-                for (int x = 0; x < count; ++x) sums[x] += w * in[x];
-            }
-        }
-    }
-
-    const VertexGrid& grid_;
-    std::vector<float>& memory_;
-    int code_ = 0;
-    std::array<bool, kWindows.size()> done_{};
+    EdgeNoise noise_;
+    float sigmas_;
+    float floor_px_;
+    float largest_px_;
 };
 
-/// The surface at a vertex beside which the window holds something irregular. A crease is no
-/// surface for the window, but one for the vertex' own row: a vertex with little noise is kept for
-/// that.
-RobustFit irregularFit(const VertexGrid& grid, int window, int code, int column, float cutoff,
-                       float noise_px) {
-    constexpr float kLittleNoise = 0.15f;  // px
-    const RobustFit surface =
-        robustFit(grid, window, code, column, cutoff, kWindows[window].half_codes);
-    if (surface.consistent || noise_px > kLittleNoise) return surface;
-    return robustFit(grid, window, code, column, cutoff, 0);
+/// Fills `smoothed` where a window's fixed filter serves, and lists the other measured cells by
+/// window.
+void filterRegularCells(const VertexGrid& grid, const NoiseLimits& limits, SmoothScratch& scratch,
+                        std::vector<float>& smoothed) {
+    scratch.filtered.resize(grid.columns * kWindows.size());
+    for (auto& requests : scratch.irregular) requests.clear();
+    std::array<bool, kWindows.size()> done;
+    for (int code = 1; code < grid.codes; ++code) {
+        done.fill(false);
+        for (int column = grid.extent[code].first; column < grid.extent[code].end; ++column) {
+            const std::size_t i = grid.index(code, column);
+            if (!scratch.measured[i]) continue;
+            const int window = windowFor(limits.noisePx(grid.contrast[i]));
+            if (!scratch.covered[window][i]) {
+                scratch.irregular[window].push_back(
+                    {std::uint16_t(code), std::uint16_t(column), limits.cutoffPx(grid.contrast[i])});
+                continue;
+            }
+            float* filtered = scratch.filtered.data() + std::size_t(window) * grid.columns;
+            if (!done[window]) {
+                const Window& shape = kWindows[window];
+                const int first = std::max(grid.extent[code].first, shape.half_columns);
+                const int end =
+                    std::min(grid.extent[code].end, grid.columns - shape.half_columns);
+                kernels().filterRow(
+                    grid.y.data() + grid.index(code, 0), grid.columns,
+                    {shape.half_codes, shape.half_columns, fixedWeights(window).data()}, first,
+                    end, filtered);
+                done[window] = true;
+            }
+            smoothed[i] = filtered[column];
+        }
+    }
 }
 
 }  // namespace
@@ -131,56 +132,73 @@ EdgeNoise estimateNoise(const VertexGrid& grid, std::vector<float>& scratch) {
     constexpr float kMedianToSigma = 1.0f / (0.6745f * 4.4721f);
     scratch.clear();
     const std::size_t row = grid.columns;
-    for (std::size_t i = row; i + 3 * row < grid.size(); ++i) {
-        const bool complete =
-            grid.cell[i] == Cell::measured && grid.cell[i + row] == Cell::measured &&
-            grid.cell[i + 2 * row] == Cell::measured && grid.cell[i + 3 * row] == Cell::measured;
-        if (!complete) continue;
-        const float third =
-            grid.y[i + 3 * row] - grid.y[i] - 3 * (grid.y[i + 2 * row] - grid.y[i + row]);
-        scratch.push_back(std::fabs(third) * 0.5f *
-                          (grid.light[i + row].contrast + grid.light[i + 2 * row].contrast));
+    const int step = samplingStep(grid.size());
+    for (int code = 1; code + 3 < grid.codes; ++code) {
+        // Along a diagonal, so that every column has its samples.
+        const int first = grid.extent[code].first;
+        for (int column = first + code % step; column < grid.extent[code].end; column += step) {
+            const std::size_t i = grid.index(code, column);
+            const bool complete =
+                grid.cell[i] == Cell::measured && grid.cell[i + row] == Cell::measured &&
+                grid.cell[i + 2 * row] == Cell::measured &&
+                grid.cell[i + 3 * row] == Cell::measured;
+            if (!complete) continue;
+            const float third =
+                grid.y[i + 3 * row] - grid.y[i] - 3 * (grid.y[i + 2 * row] - grid.y[i + row]);
+            scratch.push_back(std::fabs(third) * 0.5f *
+                              (grid.contrast[i + row] + grid.contrast[i + 2 * row]));
+        }
     }
-    if (scratch.empty()) return {};
-    const auto middle = scratch.begin() + std::ptrdiff_t(scratch.size() / 2);
-    std::nth_element(scratch.begin(), middle, scratch.end());
-    return {*middle * kMedianToSigma};
+    return {medianOf(scratch) * kMedianToSigma};
 }
 
 int smoothEdges(const Options& options, const EdgeNoise& noise, SmoothScratch& scratch,
                 VertexGrid& grid) {
-    const float sigmas = float(options.outlier_sigmas);
-    const float floor_px = float(options.noise_floor_px);
-    const float largest = float(options.max_residual_px);
-    countRegularRuns(grid, sigmas * floor_px, noise, sigmas, scratch.regular_run);
-    const RegularReach reach(grid, scratch.regular_run);
-    FilteredRow filtered(grid, scratch.filtered_row);
+    const NoiseLimits limits(options, noise);
+    markRegularCells(grid, limits.regularity(), scratch);
+    for (std::size_t window = 0; window < kWindows.size(); ++window) {
+        markCovered(grid, kWindows[window], scratch.regular, scratch.row, scratch.covered[window]);
+    }
+    scratch.planes.assign(grid);
+    grid.scratch = grid.y;
+    filterRegularCells(grid, limits, scratch, grid.scratch);
 
     int emptied = 0;
-    grid.scratch = grid.y;
-    grid.scratch_cell = grid.cell;
-    for (int code = 1; code < grid.codes; ++code) {
-        filtered.start(code);
-        for (int column = 0; column < grid.columns; ++column) {
-            const std::size_t i = grid.index(code, column);
-            if (grid.cell[i] == Cell::end) grid.scratch_cell[i] = Cell::empty;
-            if (grid.cell[i] != Cell::measured) continue;
-            const float noise_px = noise.pixels(grid.light[i].contrast);
-            const int window = windowFor(noise_px);
-            if (reach.covers(kWindows[window], code, column)) {
-                grid.scratch[i] = filtered.at(window, column);
-                continue;
+    // All fits read the grid as it was; false measurements leave it at the end.
+    const auto settle = [&](const FitRequest& request, const RobustFit& fit) {
+        const std::size_t i = grid.index(request.code, request.column);
+        grid.scratch[i] = fit.y;
+        if (fit.consistent) return;
+        scratch.measured[i] = 0;
+        ++emptied;
+    };
+    for (std::size_t window = 0; window < kWindows.size(); ++window) {
+        const std::vector<FitRequest>& requests = scratch.irregular[window];
+        scratch.fits.resize(requests.size());
+        robustFits(scratch.planes, int(window), kWindows[window].half_codes, requests, scratch.fits);
+        scratch.own_row.clear();
+        for (std::size_t n = 0; n < requests.size(); ++n) {
+            constexpr float kLittleNoise = 0.15f;  // px
+            const std::size_t i = grid.index(requests[n].code, requests[n].column);
+            const float noise_px = limits.noisePx(grid.contrast[i]);
+            if (!scratch.fits[n].consistent && noise_px <= kLittleNoise) {
+                // A crease is no surface for the window, but one for the vertex' own row: a vertex
+                // with little noise is kept for that.
+                scratch.own_row.push_back(requests[n]);
+            } else {
+                settle(requests[n], scratch.fits[n]);
             }
-            const float cutoff = std::min(largest, sigmas * std::max(floor_px, noise_px));
-            const RobustFit fit = irregularFit(grid, window, code, column, cutoff, noise_px);
-            grid.scratch[i] = fit.y;
-            if (fit.consistent) continue;
-            grid.scratch_cell[i] = Cell::empty;
-            ++emptied;
+        }
+        scratch.fits.resize(scratch.own_row.size());
+        robustFits(scratch.planes, int(window), 0, scratch.own_row, scratch.fits);
+        for (std::size_t n = 0; n < scratch.own_row.size(); ++n) {
+            settle(scratch.own_row[n], scratch.fits[n]);
         }
     }
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        if (!scratch.measured[i]) grid.cell[i] = Cell::empty;
+    }
     grid.y.swap(grid.scratch);
-    grid.cell.swap(grid.scratch_cell);
     return emptied;
 }
 

@@ -6,6 +6,7 @@
 
 #include "reconstruct/options.h"
 #include "reconstruct/vertex_grid.h"
+#include "reconstruct/window_fit.h"
 
 namespace facescan {
 
@@ -25,8 +26,15 @@ EdgeNoise estimateNoise(const VertexGrid& grid, std::vector<float>& scratch);
 
 /// Scratch memory of smoothEdges.
 struct SmoothScratch {
-    std::vector<std::uint8_t> regular_run;
-    std::vector<float> filtered_row;
+    std::vector<std::uint8_t> measured;
+    std::vector<std::uint8_t> regular;
+    std::array<std::vector<std::uint8_t>, kWindows.size()> covered;  ///< by window
+    std::vector<std::uint8_t> row;
+    std::vector<float> filtered;
+    std::array<std::vector<FitRequest>, kWindows.size()> irregular;  ///< by window
+    FitPlanes planes;
+    std::vector<FitRequest> own_row;
+    std::vector<RobustFit> fits;
 };
 
 /// Smooths the edge positions by local quadratic fits on the grid, before calibration, where a

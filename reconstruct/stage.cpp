@@ -24,6 +24,8 @@ const char* name(Stage stage) {
             return "tessellate";
         case Stage::normals:
             return "normals";
+        case Stage::mesh:
+            return "mesh";
         case Stage::quality:
             return "quality";
     }

@@ -14,6 +14,7 @@ enum class Stage {
     fill,
     tessellate,
     normals,
+    mesh,
     quality,
 };
 inline constexpr int kStageCount = int(Stage::quality) + 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reconstruct/kernels/kernels.h"
+#include "reconstruct/median.h"
 #include "reconstruct/normal_equations.h"
 
 namespace facescan {
@@ -12,9 +14,6 @@ using Vector = std::array<float, 3>;
 
 Vector operator-(const Point& a, const Point& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Vector operator+(const Vector& a, const Vector& b) {
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 Vector toVector(const Point& p) {
     return {p.x, p.y, p.z};
@@ -26,61 +25,18 @@ Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The finest pair's surface beside a cell of another pair.
-struct ReferencePlane {
-    Vector normal;    ///< unit
-    float mm_per_px;  ///< along the normal, for a pixel of the edge's place
-};
-
-/// Looks up the finest pair's surface in the rows above and below, which are its own.
-class ReferenceSurface {
-public:
-    explicit ReferenceSurface(const MeasuredSurface& surface)
-        : grid_(surface.grid), points_(surface.points), slopes_(surface.slopes) {}
-
-    /// The plane at a cell; false where too little is known around it, or it is seen edge on.
-    bool planeAt(int code, int column, ReferencePlane& plane) const {
-        // Far enough apart to average the noise, near enough to follow a face.
-        constexpr int kReach = 4;
-        if (column < kReach || column + kReach >= grid_.columns) return false;
-        const std::size_t above = grid_.index(code - 1, column);
-        const std::size_t below = grid_.index(code + 1, column);
-        for (const std::size_t i : {above, below}) {
-            if (!measured(i) || !measured(i - kReach) || !measured(i + kReach)) return false;
-        }
-        const Vector along = (points_[above + kReach] - points_[above - kReach]) +
-                             (points_[below + kReach] - points_[below - kReach]);
-        const Vector across = (points_[below] - points_[above]) +
-                              (points_[below + kReach] - points_[above + kReach]) +
-                              (points_[below - kReach] - points_[above - kReach]);
-        plane.normal = cross(along, across);
-        const float length = std::sqrt(dot(plane.normal, plane.normal));
-        if (!(length > 0)) return false;
-        for (float& n : plane.normal) n /= length;
-        plane.mm_per_px = dot(plane.normal, toVector(slopes_[grid_.index(code, column)]));
-        constexpr float kEdgeOn = 0.15f;
-        return std::fabs(plane.mm_per_px) > kEdgeOn;
-    }
-
-    /// Where the finest pair's surface crosses the edge's line: a cubic through the rows around.
-    float placeAt(int code, int column) const {
-        const std::size_t i = grid_.index(code, column);
-        const std::size_t row = grid_.columns;
-        const float near = grid_.y[i - row] + grid_.y[i + row];
-        const bool wide =
-            code >= 4 && code + 3 < grid_.codes && measured(i - 3 * row) && measured(i + 3 * row);
-        if (!wide) return 0.5f * near;
-        const float far = grid_.y[i - 3 * row] + grid_.y[i + 3 * row];
-        return (9 * near - far) * (1.0f / 16.0f);
-    }
-
-private:
-    bool measured(std::size_t i) const { return grid_.cell[i] == Cell::measured; }
-
-    const VertexGrid& grid_;
-    const std::vector<Point>& points_;
-    const std::vector<Point>& slopes_;
-};
+/// Where the finest pair's surface crosses the line of an edge of an even code: a cubic through the
+/// rows around.
+float placeOnReference(const VertexGrid& grid, int code, std::size_t i) {
+    const std::size_t row = grid.columns;
+    const auto measured = [&](std::size_t n) { return grid.cell[n] == Cell::measured; };
+    const float near = grid.y[i - row] + grid.y[i + row];
+    const bool wide =
+        code >= 4 && code + 3 < grid.codes && measured(i - 3 * row) && measured(i + 3 * row);
+    if (!wide) return 0.5f * near;
+    const float far = grid.y[i - 3 * row] + grid.y[i + 3 * row];
+    return (9 * near - far) * (1.0f / 16.0f);
+}
 
 /// The motion of the face at its middle that the motion of its image shows.
 class ImageToSpace {
@@ -88,10 +44,10 @@ public:
     ImageToSpace(const GridCalibration& calibration, const VertexGrid& grid,
                  const SurfaceMiddle& middle) {
         const float y = middle.place.y;
-        centre_ = calibration.line(middle.code, middle.column).at(y);
-        const Point next_y = calibration.line(middle.code, middle.column).at(y + 1);
+        centre_ = calibration.at(middle.code, middle.column, y);
+        const Point next_y = calibration.at(middle.code, middle.column, y + 1);
         const int side = middle.column + 1 < grid.columns ? 1 : -1;
-        const Point next_column = calibration.line(middle.code, middle.column + side).at(y);
+        const Point next_column = calibration.at(middle.code, middle.column + side, y);
         per_y_ = lateral(next_y, 1.0f);
         per_column_ = lateral(next_column, float(side));
     }
@@ -132,34 +88,33 @@ constexpr float kImageTurnRad = 0.0002f;
 constexpr float kTurnStepRad = 0.0007f;
 
 /// The equations of a pair's vertices.
-void collectEquations(const MeasuredSurface& measured, const Point& centre, int pair, int bits,
-                      std::vector<AlignmentEquation>& equations) {
+void collectEquations(const MeasuredSurface& surface, const Point& centre, int pair, int bits,
+                      AlignmentEquations& equations) {
     constexpr int kSpacing = 3;  // neighbouring columns say nearly the same
-    const VertexGrid& grid = measured.grid;
-    const ReferenceSurface surface(measured);
+    const VertexGrid& grid = surface.grid;
+    const ReferencePlanes& planes = surface.planes;
     const int step = 1 << (bits - 1 - pair);
-    equations.clear();
+    for (std::vector<float>& plane : equations.row) plane.clear();
+    equations.distance.clear();
     for (int code = step; code + 1 < grid.codes; code += 2 * step) {
-        for (int column = code / step % kSpacing; column < grid.columns; column += kSpacing) {
+        const auto [first, end] = grid.extent[code];
+        for (int column = first + code / step % kSpacing; column < end; column += kSpacing) {
             const std::size_t i = grid.index(code, column);
-            ReferencePlane plane;
-            if (grid.cell[i] != Cell::measured || !surface.planeAt(code, column, plane)) continue;
-            const Vector& n = plane.normal;
-            const Vector lever = cross(measured.points[i] - centre, n);
-            equations.push_back(
-                {.row = {n[0], n[1], n[2], lever[0], lever[1], lever[2]},
-                 .distance = (surface.placeAt(code, column) - grid.y[i]) * plane.mm_per_px});
+            if (!planes.known[i] || grid.cell[i] != Cell::measured) continue;
+            const Vector n = toVector(planes.normal[i]);
+            const Vector lever = cross(surface.points[i] - centre, n);
+            for (int k = 0; k < 3; ++k) {
+                equations.row[k].push_back(n[k]);
+                equations.row[3 + k].push_back(lever[k]);
+            }
+            equations.distance.push_back((placeOnReference(grid, code, i) - grid.y[i]) *
+                                         planes.mm_per_px[i]);
         }
     }
-}
-
-/// Tukey's weight of a residual; `scale`, a mean absolute residual, is 0 where none is known yet.
-float tukeyWeight(float residual, float scale) {
-    constexpr float kCut = 3.5f;
-    if (!(scale > 0)) return 1;
-    const float u = residual / (kCut * scale);
-    const float bell = 1 - u * u;
-    return bell > 0 ? bell * bell : 0.0f;
+    equations.count = int(equations.distance.size());
+    const int padded = (equations.count + kSumLanes - 1) / kSumLanes * kSumLanes;
+    for (std::vector<float>& plane : equations.row) plane.resize(padded, 0.0f);
+    equations.distance.resize(padded, 0.0f);
 }
 
 /// The weight of an equation whose value has this standard deviation.
@@ -175,12 +130,12 @@ float motionLooseness(const ImageMotion& image) {
     return kStill + std::fmin(shift_px, 1.0f);
 }
 
-RigidMotion alignPair(const std::vector<AlignmentEquation>& vertices, const ImageToSpace& to_space,
+RigidMotion alignPair(const AlignmentEquations& vertices, const ImageToSpace& to_space,
                       const ImageMotion& image, const RigidMotion& next) {
     constexpr int kSteps = 4;
     constexpr float kModelErrorMm = 0.05f;  // a vertex is not trusted beyond this
     constexpr float kIndependent = 1000;    // … nor are thousands of them more than this many
-    constexpr int kBlock = 256;             // summed apart, so that single precision suffices
+    constexpr float kCut = 3.5f;            // of the robust weights, mean absolute residuals
     using Equations = NormalEquations<float, 6>;
 
     const Point& centre = to_space.centre();
@@ -189,27 +144,19 @@ RigidMotion alignPair(const std::vector<AlignmentEquation>& vertices, const Imag
     const float turn = to_space.undoTurn(image);
     Equations::Vector motion{lateral[0],       lateral[1],       depth,
                              next.rotation[0], next.rotation[1], turn};
-    const float count = float(vertices.size());
+    const float count = float(vertices.count);
     const float trust =
         std::fmin(1.0f, kIndependent / std::fmax(count, 1.0f)) / (kModelErrorMm * kModelErrorMm);
     const float looseness = motionLooseness(image);
+    AlignmentBatch batch{
+        .row = {}, .distance = vertices.distance.data(), .count = int(vertices.distance.size())};
+    for (int k = 0; k < 6; ++k) batch.row[k] = vertices.row[k].data();
     float scale = 0;
     for (int step = 0; step < kSteps; ++step) {
         Equations equations;
-        double residuals = 0;
-        for (std::size_t begin = 0; begin < vertices.size(); begin += kBlock) {
-            Equations block;
-            const std::size_t end = std::min(begin + kBlock, vertices.size());
-            for (std::size_t v = begin; v < end; ++v) {
-                const AlignmentEquation& vertex = vertices[v];
-                float predicted = 0;
-                for (int k = 0; k < 6; ++k) predicted += vertex.row[k] * motion[k];
-                const float residual = std::fabs(vertex.distance - predicted);
-                residuals += residual;
-                block.add(vertex.row, vertex.distance, tukeyWeight(residual, scale));
-            }
-            equations.add(block);
-        }
+        SixSums sums;
+        kernels().sumAlignment(batch, motion, scale > 0 ? 1 / (kCut * scale) : 0.0f, sums);
+        equations.addSums(sums.products, sums.right);
         equations.scale(trust);
         const float x = centre.x / centre.z;
         const float y = centre.y / centre.z;
@@ -224,52 +171,97 @@ RigidMotion alignPair(const std::vector<AlignmentEquation>& vertices, const Imag
         equations.add({0, 0, 0, 0, 1, 0}, next.rotation[1], step_weight);
         equations.add({0, 0, 0, 0, 0, 1}, turn, turn_weight);
         if (!equations.solve(motion)) return {{lateral[0], lateral[1], depth}, {0, 0, turn}};
-        if (count > 0) scale = float(residuals) / count;
+        if (count > 0) scale = sums.residuals / count;
     }
     return {{motion[0], motion[1], motion[2]}, {motion[3], motion[4], motion[5]}};
 }
 
 }  // namespace
 
-SurfaceMiddle findMiddle(const VertexGrid& grid, const std::vector<Point>& points) {
+SurfaceMiddle findMiddle(const VertexGrid& grid, const PointPlanes& points) {
+    // A sample of the rows' cells tells the middle as well as all.
+    const int step = samplingStep(grid.size());
+    const auto forEachSample = [&](auto visit) {
+        for (int code = 1; code < grid.codes; ++code) {
+            const auto [first, end] = grid.extent[code];
+            for (int column = first + code % step; column < end; column += step) {
+                const std::size_t i = grid.index(code, column);
+                if (grid.cell[i] == Cell::measured) visit(i);
+            }
+        }
+    };
     double x = 0, y = 0, z = 0;
     int count = 0;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid.cell[i] != Cell::measured) continue;
-        x += points[i].x;
-        y += points[i].y;
-        z += points[i].z;
+    forEachSample([&](std::size_t i) {
+        x += points.x[i];
+        y += points.y[i];
+        z += points.z[i];
         ++count;
-    }
+    });
     if (count == 0) return {};
     const Point mean{float(x / count), float(y / count), float(z / count)};
     float nearest = -1;
-    SurfaceMiddle middle;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid.cell[i] != Cell::measured) continue;
+    std::size_t middle = 0;
+    forEachSample([&](std::size_t i) {
         const Vector d = points[i] - mean;
         const float distance = dot(d, d);
-        if (nearest >= 0 && distance >= nearest) continue;
+        if (nearest >= 0 && distance >= nearest) return;
         nearest = distance;
-        middle.code = int(i / grid.columns);
-        middle.column = int(i % grid.columns);
-        middle.place = {float(middle.column), grid.y[i]};
-    }
-    return middle;
+        middle = i;
+    });
+    const int column = int(middle % grid.columns);
+    return {int(middle / grid.columns), column, {float(column), grid.y[middle]}};
 }
 
 float millimetresPerPixel(const GridCalibration& calibration, const SurfaceMiddle& middle) {
     if (middle.code == 0) return 0;
     const Vector slope =
-        toVector(calibration.line(middle.code, middle.column).slopeAt(middle.place.y));
+        toVector(calibration.slopeAt(middle.code, middle.column, middle.place.y));
     return std::sqrt(dot(slope, slope));
+}
+
+void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& grid,
+                         const PointPlanes& points, ReferencePlanes& planes) {
+    // Far enough apart to average the noise, near enough to follow a face.
+    constexpr int kReach = 4;
+    constexpr float kEdgeOn = 0.15f;  // mm per px
+    planes.normal.resize(grid.size());
+    planes.mm_per_px.resize(grid.size());
+    planes.known.assign(grid.size(), 0);
+    planes.ahead.resize(grid.columns);
+    planes.behind.resize(grid.columns);
+    for (int code = 2; code + 1 < grid.codes; code += 2) {
+        const int first = std::max(grid.extent[code].first, kReach);
+        const int count = std::min(grid.extent[code].end, grid.columns - kReach) - first;
+        if (count <= 0) continue;
+        const std::size_t i = grid.index(code, first);
+        const std::size_t above = i - grid.columns;
+        const std::size_t below = i + grid.columns;
+        std::uint8_t* known = planes.known.data() + i;
+        for (int x = 0; x < count; ++x) {
+            const auto measured = [&](std::size_t n) {
+                return grid.cell[n + x] == Cell::measured;
+            };
+            known[x] = (grid.cell[i + x] != Cell::empty) & measured(above) &
+                       measured(above - kReach) & measured(above + kReach) & measured(below) &
+                       measured(below - kReach) & measured(below + kReach);
+        }
+        const float* y = grid.y.data() + i;
+        calibration.row(code, first, count, y, 0.5f, rowFrom(planes.ahead, 0));
+        calibration.row(code, first, count, y, -0.5f, rowFrom(planes.behind, 0));
+        kernels().referencePlanes({rowFrom(points, above), rowFrom(points, below),
+                                   rowFrom(planes.ahead, 0), rowFrom(planes.behind, 0), kReach,
+                                   kEdgeOn},
+                                  count,
+                                  {rowFrom(planes.normal, i), planes.mm_per_px.data() + i, known});
+    }
 }
 
 SurfaceMotion estimateSurfaceMotion(const MeasuredSurface& surface,
                                     const GridCalibration& calibration, int bits,
                                     const SurfaceMiddle& middle,
                                     const std::array<ImageMotion, kMaxBits>& image_motions,
-                                    std::vector<AlignmentEquation>& scratch) {
+                                    AlignmentEquations& scratch) {
     SurfaceMotion motion;
     if (middle.code == 0) return motion;
     const ImageToSpace to_space(calibration, surface.grid, middle);
@@ -285,25 +277,27 @@ SurfaceMotion estimateSurfaceMotion(const MeasuredSurface& surface,
 
 void compensateMotion(const MeasuredSurface& surface, const SurfaceMotion& motion, int bits,
                       VertexGrid& grid) {
-    const ReferenceSurface reference(surface);
-    grid.scratch = grid.y;
+    const ReferencePlanes& planes = surface.planes;
     for (int code = 2; code + 1 < grid.codes; code += 2) {
+        const auto [first, end] = grid.extent[code];
+        if (first >= end) continue;
+        const std::size_t i = grid.index(code, first);
         const RigidMotion& rigid = motion.pairs[pairOfEdge(code, bits)];
+        float* shift = grid.scratch.data() + i;
+        kernels().compensateRow(
+            rowFrom(surface.points, i),
+            {rowFrom(planes.normal, i), planes.mm_per_px.data() + i, planes.known.data() + i},
+            {{motion.centre.x, motion.centre.y, motion.centre.z},
+             rigid.translation,
+             rigid.rotation},
+            end - first, shift);
         // Where the surface's direction is not known, the shift is that of the last cell that knew.
-        float shift = 0;
-        for (int column = 0; column < grid.columns; ++column) {
-            const std::size_t i = grid.index(code, column);
-            if (grid.cell[i] == Cell::empty) continue;
-            ReferencePlane plane;
-            if (reference.planeAt(code, column, plane)) {
-                const Vector lever = surface.points[i] - motion.centre;
-                const Vector moved = rigid.translation + cross(rigid.rotation, lever);
-                shift = dot(plane.normal, moved) / plane.mm_per_px;
-            }
-            grid.scratch[i] = grid.y[i] + shift;
+        float last = 0;
+        for (int x = 0; x < end - first; ++x) {
+            last = planes.known[i + x] ? shift[x] : last;
+            grid.y[i + x] += last;
         }
     }
-    grid.y.swap(grid.scratch);
 }
 
 }  // namespace facescan

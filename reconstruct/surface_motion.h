@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "reconstruct/calibrate.h"
@@ -21,7 +22,7 @@ struct SurfaceMiddle {
     int column = 0;
     ImagePoint place;  ///< in the stripe image
 };
-SurfaceMiddle findMiddle(const VertexGrid& grid, const std::vector<Point>& points);
+SurfaceMiddle findMiddle(const VertexGrid& grid, const PointPlanes& points);
 
 /// How far the middle's point moves in space when its edge moves by a pixel, mm.
 float millimetresPerPixel(const GridCalibration& calibration, const SurfaceMiddle& middle);
@@ -32,19 +33,33 @@ struct SurfaceMotion {
     std::array<RigidMotion, kMaxBits> pairs{};
 };
 
-/// What is measured of the surface: the grid, its points, and how they move for a pixel of their
-/// edges.
-struct MeasuredSurface {
-    const VertexGrid& grid;
-    const std::vector<Point>& points;
-    const std::vector<Point>& slopes;
+/// The finest pair's surface beside the cells of all other pairs: those of even codes.
+struct ReferencePlanes {
+    PointPlanes normal;               ///< unit
+    std::vector<float> mm_per_px;     ///< along the normal, for a pixel of the edge's place
+    std::vector<std::uint8_t> known;  ///< by cell: 1 where the plane is
+    PointPlanes ahead;                ///< scratch, one row
+    PointPlanes behind;               ///< scratch, one row
 };
 
-/// A vertex' distance from the finest pair's surface, as an equation for the six unknowns of a
-/// rigid motion.
-struct AlignmentEquation {
-    std::array<float, 6> row;
-    float distance;  ///< mm
+/// Looks up the finest pair's surface in the rows above and below each even code, which are its
+/// own. A plane is known where the points around are measured and it is not seen edge on.
+void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& grid,
+                         const PointPlanes& points, ReferencePlanes& planes);
+
+/// What is measured of the surface.
+struct MeasuredSurface {
+    const VertexGrid& grid;
+    const PointPlanes& points;
+    const ReferencePlanes& planes;
+};
+
+/// The equations of a pair's vertices for the six unknowns of a rigid motion: how far each lies from
+/// the finest pair's surface, mm, and what the motion does to that.
+struct AlignmentEquations {
+    std::array<std::vector<float>, 6> row;
+    std::vector<float> distance;
+    int count = 0;  ///< the planes are filled up with zeros to whole groups of lanes
 };
 
 /// Estimates how each pair's vertices must move to lie on the surface of the finest pair's.
@@ -61,7 +76,7 @@ SurfaceMotion estimateSurfaceMotion(const MeasuredSurface& surface,
                                     const GridCalibration& calibration, int bits,
                                     const SurfaceMiddle& middle,
                                     const std::array<ImageMotion, kMaxBits>& image_motions,
-                                    std::vector<AlignmentEquation>& scratch);
+                                    AlignmentEquations& scratch);
 
 /// Moves every edge to where it would have been seen at the reference moment: the place where the
 /// surface, moved rigidly, meets the edge's line in space again.

@@ -3,197 +3,194 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
+#include <cstring>
 
 namespace facescan {
 namespace {
 
-// A quad of cells, north at the lower code and west at the lower column:
-//
-//     nw --- ne
-//      |     |
-//     sw --- se
-//
-// It is cut along nw–se (falling) or ne–sw. Of its two triangles, "first" is the one with the
-// north edge. A quad of three cells is cut so that they form one of the two.
-constexpr std::uint8_t kFirst = 1;
-constexpr std::uint8_t kSecond = 2;
-constexpr std::uint8_t kFalling = 4;
+/// Cuts every quad. @returns the mean of the triangles' longest edges, mm
+float cutAll(const VertexGrid& grid, const PointPlanes& points, bool rising,
+             TessellateScratch& scratch, Quads& quads) {
+    const std::size_t size = grid.size() + VertexGrid::kBeyond;
+    scratch.present.resize(size);
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        scratch.present[i] = grid.cell[i] != Cell::empty;
+    }
+    scratch.first_longest.resize(size);
+    scratch.second_longest.resize(size);
+    scratch.lengths.resize(2 * std::size_t(grid.columns));
+    for (auto* flags : {&quads.first, &quads.second, &quads.falling}) flags->assign(size, 0);
 
-constexpr std::uint32_t kNone = ~std::uint32_t(0);
-
-float squaredDistance(const Point& a, const Point& b) {
-    const float x = a.x - b.x;
-    const float y = a.y - b.y;
-    const float z = a.z - b.z;
-    return x * x + y * y + z * z;
+    std::int64_t length = 0;
+    std::int64_t triangles = 0;
+    for (int code = 1; code + 1 < grid.codes; ++code) {
+        const Extent extent = quadExtent(grid, code);
+        const int count = extent.end - extent.first;
+        if (count <= 0) continue;
+        const std::size_t north = grid.index(code, extent.first);
+        const std::size_t south = north + grid.columns;
+        std::int32_t* first_length = scratch.lengths.data();
+        std::int32_t* second_length = first_length + grid.columns;
+        kernels().cutQuads({rowFrom(points, north), rowFrom(points, south), &grid.y[north],
+                            &grid.y[south], &scratch.present[north], &scratch.present[south]},
+                           rising ? 1.0f : -1.0f, count,
+                           {&quads.first[north], &quads.second[north], &quads.falling[north],
+                            &scratch.first_longest[north], &scratch.second_longest[north],
+                            first_length, second_length});
+        std::int32_t row_length = 0;
+        std::int32_t row_triangles = 0;
+        for (int x = 0; x < count; ++x) {
+            row_length += first_length[x] + second_length[x];
+            row_triangles += quads.first[north + x] + quads.second[north + x];
+        }
+        length += row_length;
+        triangles += row_triangles;
+    }
+    return triangles > 0 ? float(double(length) / double(triangles)) / kLengthUnits : 0.0f;
 }
 
-/// The cells of a quad's triangles, north-west cell `nw`, in the order in which they turn from the
-/// lower column to the higher code.
-struct QuadCells {
-    std::size_t nw, ne, sw, se;
-
-    QuadCells(std::size_t north_west, int columns)
-        : nw(north_west), ne(nw + 1), sw(nw + columns), se(sw + 1) {}
-
-    std::array<std::size_t, 3> first(bool falling) const {
-        return falling ? std::array{nw, ne, se} : std::array{nw, ne, sw};
+void dropLongTriangles(const VertexGrid& grid, float limit_mm, const TessellateScratch& scratch,
+                       Quads& quads) {
+    for (int code = 1; code + 1 < grid.codes; ++code) {
+        const Extent extent = quadExtent(grid, code);
+        const std::size_t i = grid.index(code, extent.first);
+        const int count = extent.end - extent.first;
+        const float limit = limit_mm * limit_mm;
+        kernels().markShort(&scratch.first_longest[i], limit, count, &quads.first[i]);
+        kernels().markShort(&scratch.second_longest[i], limit, count, &quads.second[i]);
     }
-    std::array<std::size_t, 3> second(bool falling) const {
-        return falling ? std::array{nw, se, sw} : std::array{ne, se, sw};
-    }
-};
+}
 
-class Tessellator {
+/// Leaves one fan of triangles around each vertex.
+class FanFilter {
 public:
-    Tessellator(const VertexGrid& grid, const std::vector<Point>& points, bool rising,
-                std::vector<std::uint8_t>& quads)
-        : grid_(grid), points_(points), sign_(rising ? 1.0f : -1.0f), quads_(quads) {
-        quads_.assign(grid.size(), 0);
-    }
+    FanFilter(const VertexGrid& grid, Quads& quads) : grid_(grid), quads_(quads) {}
 
-    /// Cuts every quad, and returns the mean of the triangles' longest edges, mm.
-    float cutQuads() {
-        double sum = 0;
-        int count = 0;
-        forEachQuad([&](std::size_t i) {
-            quads_[i] = cut(i);
-            forEachTriangle(i, [&](std::uint8_t, const auto& cells) {
-                sum += std::sqrt(longestSquared(cells));
-                ++count;
-            });
-        });
-        return count > 0 ? float(sum / count) : 0.0f;
-    }
-
-    void dropTrianglesLongerThan(float limit) {
-        forEachQuad([&](std::size_t i) {
-            forEachTriangle(i, [&](std::uint8_t which, const auto& cells) {
-                if (longestSquared(cells) >= limit * limit) quads_[i] &= std::uint8_t(~which);
-            });
-        });
-    }
-
-    /// Leaves one fan of triangles around each vertex. What is dropped at one vertex can loosen the
-    /// fans of its neighbours, which are then looked at again.
-    void dropLooseFans(std::vector<std::uint32_t>& again) {
-        again.clear();
+    /// What is dropped at one vertex can loosen the fans of its neighbours, which are then looked at
+    /// again.
+    void dropLooseFans(TessellateScratch& scratch) {
+        scratch.again.clear();
         for (int code = 1; code < grid_.codes; ++code) {
-            for (int column = 0; column < grid_.columns; ++column) {
-                if (!present(grid_.index(code, column))) continue;
-                if (dropLooseFansAt(code, column)) addNeighbours(code, column, again);
-            }
+            forEachSuspect(code, scratch, [&](int column) {
+                if (dropAt(code, column)) addNeighbours(code, column, scratch.again);
+            });
         }
-        while (!again.empty()) {
-            const std::size_t i = again.back();
-            again.pop_back();
+        while (!scratch.again.empty()) {
+            const std::size_t i = scratch.again.back();
+            scratch.again.pop_back();
             const int code = int(i / grid_.columns);
             const int column = int(i % grid_.columns);
-            if (dropLooseFansAt(code, column)) addNeighbours(code, column, again);
+            if (dropAt(code, column)) addNeighbours(code, column, scratch.again);
         }
-    }
-
-    template <typename Visit>
-    void forEachQuad(Visit visit) const {
-        for (int code = 1; code + 1 < grid_.codes; ++code) {
-            for (int column = 0; column + 1 < grid_.columns; ++column) {
-                visit(grid_.index(code, column));
-            }
-        }
-    }
-
-    /// Calls visit(kFirst or kSecond, cells) for the triangles that a quad carries.
-    template <typename Visit>
-    void forEachTriangle(std::size_t i, Visit visit) const {
-        const std::uint8_t quad = quads_[i];
-        const QuadCells cells(i, grid_.columns);
-        const bool falling = quad & kFalling;
-        if (quad & kFirst) visit(kFirst, cells.first(falling));
-        if (quad & kSecond) visit(kSecond, cells.second(falling));
     }
 
 private:
-    bool present(std::size_t i) const { return grid_.cell[i] != Cell::empty; }
-
-    std::uint8_t cut(std::size_t i) const {
-        const QuadCells q(i, grid_.columns);
-        const int corners = present(q.nw) + present(q.ne) + present(q.sw) + present(q.se);
-        if (corners < 3) return 0;
-        bool falling;
-        std::uint8_t quad;
-        if (corners == 4) {
-            falling = squaredDistance(points_[q.nw], points_[q.se]) <=
-                      squaredDistance(points_[q.ne], points_[q.sw]);
-            quad = kFirst | kSecond;
-        } else {
-            falling = present(q.nw) && present(q.se);
-            const bool north = present(q.nw) && present(q.ne);
-            quad = north ? kFirst : kSecond;
+    /// Calls visit(column) for the cells of a row around which a triangle is missing.
+    template <typename Visit>
+    void forEachSuspect(int code, TessellateScratch& scratch, Visit visit) {
+        const auto [first, end] = grid_.extent[code];
+        if (first >= end) return;
+        std::vector<std::uint8_t>& suspect = scratch.suspect;
+        suspect.assign(std::size_t(grid_.columns) + VertexGrid::kBeyond, 0);
+        const std::size_t row = grid_.index(code, 0);
+        const std::size_t north = row - grid_.columns;
+        const std::uint8_t* a = quads_.first.data();
+        const std::uint8_t* b = quads_.second.data();
+        for (int x = std::max(first, 1); x < end; ++x) {
+            const std::uint8_t whole = a[row + x] & b[row + x] & a[row + x - 1] & b[row + x - 1] &
+                                       a[north + x] & b[north + x] & a[north + x - 1] &
+                                       b[north + x - 1];
+            suspect[x] = scratch.present[row + x] & std::uint8_t(whole ^ 1);
         }
-        if (falling) quad |= kFalling;
-        if ((quad & kFirst) && !faces(q.first(falling))) quad &= std::uint8_t(~kFirst);
-        if ((quad & kSecond) && !faces(q.second(falling))) quad &= std::uint8_t(~kSecond);
-        return quad;
+        if (first == 0) suspect[0] = scratch.present[row];
+        for (int group = first; group < end; group += 8) {
+            std::uint64_t any;
+            std::memcpy(&any, suspect.data() + group, sizeof any);
+            if (any == 0) continue;
+            for (int x = group; x < std::min(group + 8, end); ++x) {
+                if (suspect[x]) visit(x);
+            }
+        }
     }
 
-    /// Whether a triangle turns in the image as it does on the grid: the camera sees its front.
-    bool faces(const std::array<std::size_t, 3>& cells) const {
-        constexpr float kSmallest = 1e-3f;  // twice the area, px²
-        const auto x = [&](int k) { return float(int(cells[k] % grid_.columns)); };
-        const auto y = [&](int k) { return sign_ * grid_.y[cells[k]]; };
-        const float area = (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));
-        return area > kSmallest;
-    }
+    static constexpr std::uint8_t kFirst = 1;
+    static constexpr std::uint8_t kSecond = 2;
 
-    float longestSquared(const std::array<std::size_t, 3>& cells) const {
-        const Point& a = points_[cells[0]];
-        const Point& b = points_[cells[1]];
-        const Point& c = points_[cells[2]];
-        return std::max({squaredDistance(a, b), squaredDistance(b, c), squaredDistance(c, a)});
+    /// A quad near a vertex; none where there is no such cell.
+    struct Quad {
+        std::uint8_t* first = nullptr;
+        std::uint8_t* second = nullptr;
+        bool falling = false;
+
+        bool has(std::uint8_t which) const {
+            return first && ((which & kFirst && *first) || (which & kSecond && *second));
+        }
+        void drop(std::uint8_t which) const {
+            if (which & kFirst) *first = 0;
+            if (which & kSecond) *second = 0;
+        }
+    };
+
+    Quad quadAt(int code, int column) {
+        if (code < 1 || column < 0 || column + 1 >= grid_.columns || code + 1 >= grid_.codes) {
+            return {};
+        }
+        const std::size_t i = grid_.index(code, column);
+        return {&quads_.first[i], &quads_.second[i], quads_.falling[i] != 0};
     }
 
     /// The triangles around a vertex as a ring of eight half corners, clockwise from north: two for
-    /// each quad, the first half beside the edge that comes first. A triangle that holds the whole
-    /// corner sets both.
-    std::uint8_t ringAt(int code, int column) const {
-        const auto quad = [&](int c, int x) -> std::uint8_t {
-            if (c < 1 || x < 0 || x + 1 >= grid_.columns || c + 1 >= grid_.codes) return 0;
-            return quads_[grid_.index(c, x)];
-        };
-        const auto halves = [](bool a, bool b) { return unsigned(a) | unsigned(b) << 1; };
-        // At the two corners on its cut, a quad's triangles hold half the corner each; at the other
-        // two, one triangle holds all of it.
-        const std::uint8_t ne = quad(code - 1, column);      // the vertex is its south-west corner
-        const std::uint8_t se = quad(code, column);          // … north-west
-        const std::uint8_t sw = quad(code, column - 1);      // … north-east
-        const std::uint8_t nw = quad(code - 1, column - 1);  // … south-east
-        const unsigned ring_ne =
-            ne & kFalling ? halves(ne & kSecond, ne & kSecond) : halves(ne & kFirst, ne & kSecond);
-        const unsigned ring_se =
-            se & kFalling ? halves(se & kFirst, se & kSecond) : halves(se & kFirst, se & kFirst);
-        const unsigned ring_sw =
-            sw & kFalling ? halves(sw & kFirst, sw & kFirst) : halves(sw & kSecond, sw & kFirst);
-        const unsigned ring_nw =
-            nw & kFalling ? halves(nw & kSecond, nw & kFirst) : halves(nw & kSecond, nw & kSecond);
-        return std::uint8_t(ring_ne | ring_se << 2 | ring_sw << 4 | ring_nw << 6);
+    /// each quad, the first half beside the edge that comes first. At the two corners on its cut, a
+    /// quad's triangles hold half the corner each; at the other two, one triangle holds all of it.
+    struct Ring {
+        std::array<Quad, 4> quad;                         ///< north-east, south-east, …
+        std::array<std::array<std::uint8_t, 2>, 4> half;  ///< the triangle that holds each
+
+        std::uint8_t bits() const {
+            unsigned bits = 0;
+            for (int q = 0; q < 4; ++q) {
+                for (int h = 0; h < 2; ++h) bits |= unsigned(quad[q].has(half[q][h])) << (2 * q + h);
+            }
+            return std::uint8_t(bits);
+        }
+        void drop(std::uint8_t bits) const {
+            for (int q = 0; q < 4; ++q) {
+                for (int h = 0; h < 2; ++h) {
+                    if (bits >> (2 * q + h) & 1) quad[q].drop(half[q][h]);
+                }
+            }
+        }
+    };
+
+    Ring ringAt(int code, int column) {
+        const Quad ne = quadAt(code - 1, column);      // the vertex is its south-west corner
+        const Quad se = quadAt(code, column);          // … north-west
+        const Quad sw = quadAt(code, column - 1);      // … north-east
+        const Quad nw = quadAt(code - 1, column - 1);  // … south-east
+        using Halves = std::array<std::uint8_t, 2>;
+        return {{ne, se, sw, nw},
+                {ne.falling ? Halves{kSecond, kSecond} : Halves{kFirst, kSecond},
+                 se.falling ? Halves{kFirst, kSecond} : Halves{kFirst, kFirst},
+                 sw.falling ? Halves{kFirst, kFirst} : Halves{kSecond, kFirst},
+                 nw.falling ? Halves{kSecond, kFirst} : Halves{kSecond, kSecond}}};
     }
 
-    /// Removes the triangles that set any of `halves` of the ring around a vertex.
-    void dropHalves(int code, int column, std::uint8_t halves) {
-        const auto drop = [&](int c, int x, unsigned pair_of_halves, std::uint8_t falling_a,
-                              std::uint8_t falling_b, std::uint8_t rising_a,
-                              std::uint8_t rising_b) {
-            if (pair_of_halves == 0) return;
-            std::uint8_t& quad = quads_[grid_.index(c, x)];
-            const bool falling = quad & kFalling;
-            if (pair_of_halves & 1) quad &= std::uint8_t(~(falling ? falling_a : rising_a));
-            if (pair_of_halves & 2) quad &= std::uint8_t(~(falling ? falling_b : rising_b));
-        };
-        drop(code - 1, column, halves & 3u, kSecond, kSecond, kFirst, kSecond);
-        drop(code, column, halves >> 2 & 3u, kFirst, kSecond, kFirst, kFirst);
-        drop(code, column - 1, halves >> 4 & 3u, kFirst, kFirst, kSecond, kFirst);
-        drop(code - 1, column - 1, halves >> 6 & 3u, kSecond, kFirst, kSecond, kSecond);
+    bool dropAt(int code, int column) {
+        const Ring ring = ringAt(code, column);
+        const std::uint8_t bits = ring.bits();
+        const unsigned starts = bits & ~std::rotl(bits, 1) & 0xFFu;
+        if ((starts & (starts - 1)) == 0) return false;
+        std::uint8_t largest = 0;
+        for (unsigned rest = starts; rest != 0; rest &= rest - 1) {
+            std::uint8_t fan = 0;
+            for (std::uint8_t half = std::uint8_t(rest & (0u - rest)); bits & half & ~fan;
+                 half = std::rotl(half, 1)) {
+                fan |= half;
+            }
+            if (std::popcount(fan) > std::popcount(largest)) largest = fan;
+        }
+        ring.drop(std::uint8_t(bits & ~largest));
+        return true;
     }
 
     void addNeighbours(int code, int column, std::vector<std::uint32_t>& cells) const {
@@ -205,108 +202,17 @@ private:
         }
     }
 
-    bool dropLooseFansAt(int code, int column) {
-        const std::uint8_t ring = ringAt(code, column);
-        const unsigned starts = ring & ~std::rotl(ring, 1) & 0xFFu;
-        if ((starts & (starts - 1)) == 0) return false;
-        std::uint8_t largest = 0;
-        for (unsigned rest = starts; rest != 0; rest &= rest - 1) {
-            std::uint8_t fan = 0;
-            for (std::uint8_t half = std::uint8_t(rest & (0u - rest)); ring & half & ~fan;
-                 half = std::rotl(half, 1)) {
-                fan |= half;
-            }
-            if (std::popcount(fan) > std::popcount(largest)) largest = fan;
-        }
-        dropHalves(code, column, std::uint8_t(ring & ~largest));
-        return true;
-    }
-
     const VertexGrid& grid_;
-    const std::vector<Point>& points_;
-    float sign_;
-    std::vector<std::uint8_t>& quads_;
-};
-
-/// Lays down the vertices of the cells, and says where the camera sees them in the texture.
-class VertexWriter {
-public:
-    VertexWriter(const ScanDescription& scan, const VertexGrid& grid,
-                 const std::vector<Point>& points, const EdgeNoise& noise)
-        : image_(scan.image),
-          turned_(scan.pattern.axis == CodeAxis::x),
-          grid_(grid),
-          points_(points),
-          noise_(noise) {}
-
-    Vertex at(std::size_t i) const {
-        const float across = float(int(i % grid_.columns));
-        const float along = grid_.y[i];
-        const float image_x = turned_ ? along : across;
-        const float image_y = turned_ ? across : along;
-        const Point& p = points_[i];
-        return {.x = p.x,
-                .y = p.y,
-                .z = p.z,
-                .nx = 0,
-                .ny = 0,
-                .nz = 0,
-                .s = (image_x + 0.5f) / float(image_.width),
-                .t = 1.0f - (image_y + 0.5f) / float(image_.height),
-                .quality = quality(i)};
-    }
-
-private:
-    /// 1 for an edge without noise, ½ where its noise is a fifth of a pixel.
-    float quality(std::size_t i) const {
-        constexpr float kHalf = 0.2f;
-        constexpr float kSmallest = 1e-3f;
-        if (grid_.cell[i] == Cell::filled) return 0;
-        const float noise_px =
-            grid_.light[i].contrast > 0 ? noise_.pixels(grid_.light[i].contrast) : 1e3f;
-        const float u = noise_px / kHalf;
-        return std::max(kSmallest, 1.0f / (1.0f + u * u));
-    }
-
-    Rect image_;
-    bool turned_;
-    const VertexGrid& grid_;
-    const std::vector<Point>& points_;
-    EdgeNoise noise_;
+    Quads& quads_;
 };
 
 }  // namespace
 
-void tessellate(const ScanDescription& scan, const Options& options, const VertexGrid& grid,
-                const std::vector<Point>& points, bool rising, const EdgeNoise& noise,
-                TessellateScratch& scratch, Mesh& mesh) {
-    Tessellator tessellator(grid, points, rising, scratch.quads);
-    const float mean_longest = tessellator.cutQuads();
-    tessellator.dropTrianglesLongerThan(float(options.max_edge_ratio) * mean_longest);
-    tessellator.dropLooseFans(scratch.vertex);
-
-    mesh.vertices.clear();
-    mesh.triangles.clear();
-    scratch.vertex.assign(grid.size(), kNone);
-    const VertexWriter writer(scan, grid, points, noise);
-    // On the grid the triangles turn from the column's direction to the code's. Seen in the image
-    // that is clockwise; a falling code turns it round, and so does a turned image.
-    const bool swap = rising != (scan.pattern.axis == CodeAxis::x);
-    tessellator.forEachQuad([&](std::size_t i) {
-        tessellator.forEachTriangle(i, [&](std::uint8_t, const auto& cells) {
-            Triangle triangle;
-            for (int k = 0; k < 3; ++k) {
-                std::uint32_t& vertex = scratch.vertex[cells[k]];
-                if (vertex == kNone) {
-                    vertex = std::uint32_t(mesh.vertices.size());
-                    mesh.vertices.push_back(writer.at(cells[k]));
-                }
-                triangle[k] = vertex;
-            }
-            if (swap) std::swap(triangle[1], triangle[2]);
-            mesh.triangles.push_back(triangle);
-        });
-    });
+void tessellate(const Options& options, const VertexGrid& grid, const PointPlanes& points,
+                bool rising, TessellateScratch& scratch, Quads& quads) {
+    const float mean_longest = cutAll(grid, points, rising, scratch, quads);
+    dropLongTriangles(grid, float(options.max_edge_ratio) * mean_longest, scratch, quads);
+    FanFilter(grid, quads).dropLooseFans(scratch);
 }
 
 }  // namespace facescan

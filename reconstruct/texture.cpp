@@ -9,7 +9,10 @@ namespace {
 
 constexpr int kRadius = 2;  // of the mean filter
 constexpr int kDiameter = 2 * kRadius + 1;
-constexpr int kLevels = 1 << 12;  // the texture before the stretch
+/// Levels before the stretch: as many as let the filter's sum fit 16 bits.
+constexpr int kLevels = 0xFFFF / (kDiameter * kDiameter);
+/// The histogram's bins hold so many sums each.
+constexpr int kBinShift = 4;
 
 /// Level of the sum of two 8-bit pixels, gamma corrected.
 using GammaTable = std::array<std::uint16_t, 511>;
@@ -22,45 +25,71 @@ GammaTable gammaTable(double gamma) {
     return table;
 }
 
-/// Clamps a row or column that the filter reaches beyond the border.
-int clamped(int i, int size) {
-    return std::clamp(i, 0, size - 1);
+/// Corrects a row of the pair's sum, and repeats its ends for the filter.
+void correctRow(const std::uint8_t* p, const std::uint8_t* c, int width, const GammaTable& table,
+                std::uint16_t* padded) {
+    std::uint16_t* corrected = padded + kRadius;
+    for (int x = 0; x < width; ++x) corrected[x] = table[p[x] + c[x]];
+    for (int n = 0; n < kRadius; ++n) {
+        padded[n] = corrected[0];
+        corrected[width + n] = corrected[width - 1];
+    }
 }
 
 /// Sums of kDiameter neighbours along the row.
-void sumAlongRow(const std::uint16_t* row, int width, std::uint16_t* sums) {
-    unsigned sum = 0;
-    for (int x = -kRadius; x <= kRadius; ++x) sum += row[clamped(x, width)];
+void sumAlongRow(const std::uint16_t* __restrict padded, int width, std::uint16_t* __restrict sums) {
     for (int x = 0; x < width; ++x) {
-        sums[x] = std::uint16_t(sum);
-        sum += row[clamped(x + kRadius + 1, width)];
-        sum -= row[clamped(x - kRadius, width)];
+        sums[x] = std::uint16_t(padded[x] + padded[x + 1] + padded[x + 2] + padded[x + 3] +
+                                padded[x + 4]);
     }
 }
 
-/// The level below which `share` of all pixels lie.
+/// Adds a row that the filter reaches and takes away the one that it leaves.
+void moveDown(const std::uint16_t* __restrict enters, const std::uint16_t* __restrict leaves,
+              int width, std::uint16_t* __restrict sums) {
+    for (int x = 0; x < width; ++x) sums[x] = std::uint16_t(sums[x] + enters[x] - leaves[x]);
+}
+
+/// The sum below which `share` of all counted pixels lie.
 int quantile(const std::vector<std::uint32_t>& histogram, std::size_t pixels, double share) {
     const auto wanted = std::size_t(double(pixels) * share);
     std::size_t below = 0;
-    for (std::size_t level = 0; level < histogram.size(); ++level) {
-        below += histogram[level];
-        if (below > wanted) return int(level);
+    for (std::size_t bin = 0; bin < histogram.size(); ++bin) {
+        below += histogram[bin];
+        if (below > wanted) return int(bin) << kBinShift;
     }
-    return int(histogram.size()) - 1;
+    return 0xFFFF;
 }
 
-void stretch(const std::vector<std::uint16_t>& levels, std::vector<std::uint32_t>& histogram,
-             GreyImage& texture) {
-    histogram.assign(kLevels, 0);
-    for (const std::uint16_t level : levels) ++histogram[level];
-    const int low = quantile(histogram, levels.size(), 0.005);
-    const int high = std::max(quantile(histogram, levels.size(), 0.995), low + 1);
-    std::array<std::uint8_t, kLevels> table;
-    for (int level = 0; level < kLevels; ++level) {
-        const int grey = ((level - low) * 255 * 2 + (high - low)) / ((high - low) * 2);
-        table[level] = level <= low ? std::uint8_t(0) : std::uint8_t(std::min(grey, 255));
+/// Maps low … high to 0 … 255.
+void stretchRow(const std::uint16_t* __restrict sums, int width, std::uint32_t low,
+                std::uint32_t high, std::uint8_t* __restrict grey) {
+    const std::uint32_t range = high - low;
+    const std::uint32_t scale = (255u << 16) / range;
+    for (int x = 0; x < width; ++x) {
+        const std::uint32_t sum = sums[x];
+        const std::uint32_t above = std::min(sum > low ? sum - low : 0u, range);
+        grey[x] = std::uint8_t((above * scale + 0x8000u) >> 16);
     }
-    for (std::size_t i = 0; i < levels.size(); ++i) texture.pixels[i] = table[levels[i]];
+}
+
+void stretch(const std::vector<std::uint16_t>& sums, std::vector<std::uint32_t>& histogram,
+             GreyImage& texture) {
+    // Some hundred rows tell the quantiles as well as all.
+    constexpr int kEnoughRows = 256;
+    const int step = 1 + texture.height / kEnoughRows;
+    histogram.assign(0x10000 >> kBinShift, 0);
+    std::size_t counted = 0;
+    for (int y = 0; y < texture.height; y += step, counted += texture.width) {
+        const std::uint16_t* row = sums.data() + std::size_t(y) * texture.width;
+        for (int x = 0; x < texture.width; ++x) ++histogram[row[x] >> kBinShift];
+    }
+    const int low = quantile(histogram, counted, 0.005);
+    const int high = std::max(quantile(histogram, counted, 0.995), low + 1);
+    for (int y = 0; y < texture.height; ++y) {
+        stretchRow(sums.data() + std::size_t(y) * texture.width, texture.width, std::uint32_t(low),
+                   std::uint32_t(high), texture.row(y));
+    }
 }
 
 }  // namespace
@@ -113,35 +142,32 @@ void makeTexture(const FrameStackView& frames, const ScanDescription& scan, doub
         return frames.frame(index) + std::size_t(scan.image.y + y) * frames.row_stride +
                scan.image.x;
     };
-    const GammaTable table = gammaTable(gamma);
-    scratch.corrected.resize(width);
+    if (scratch.gamma != gamma) {
+        scratch.gamma = gamma;
+        scratch.table = gammaTable(gamma);
+    }
+    scratch.corrected.resize(std::size_t(width) + 2 * kRadius);
     scratch.row_sums.resize(pixels);
     scratch.filtered.resize(pixels);
-    std::uint16_t* corrected = scratch.corrected.data();
+    const auto row_sums = [&](int y) {
+        return scratch.row_sums.data() + std::size_t(std::clamp(y, 0, height - 1)) * width;
+    };
     for (int y = 0; y < height; ++y) {
-        const std::uint8_t* p = finest(false, y);
-        const std::uint8_t* c = finest(true, y);
-        for (int x = 0; x < width; ++x) corrected[x] = table[p[x] + c[x]];
-        sumAlongRow(corrected, width, scratch.row_sums.data() + std::size_t(y) * width);
+        correctRow(finest(false, y), finest(true, y), width, scratch.table,
+                   scratch.corrected.data());
+        sumAlongRow(scratch.corrected.data(), width, row_sums(y));
     }
 
     scratch.column_sums.assign(width, 0);
-    std::uint32_t* column_sums = scratch.column_sums.data();
-    const auto row = [&](int y) {
-        return scratch.row_sums.data() + std::size_t(clamped(y, height)) * width;
-    };
-    for (int y = -kRadius; y <= kRadius; ++y) {
-        for (int x = 0; x < width; ++x) column_sums[x] += row(y)[x];
+    scratch.no_row.assign(width, 0);
+    std::uint16_t* column_sums = scratch.column_sums.data();
+    for (int y = -kRadius; y < kRadius; ++y) {
+        moveDown(row_sums(y), scratch.no_row.data(), width, column_sums);
     }
     for (int y = 0; y < height; ++y) {
-        std::uint16_t* out = scratch.filtered.data() + std::size_t(y) * width;
-        const std::uint16_t* enters = row(y + kRadius + 1);
-        const std::uint16_t* leaves = row(y - kRadius);
-        for (int x = 0; x < width; ++x) {
-            out[x] = std::uint16_t(column_sums[x] / (kDiameter * kDiameter));
-            column_sums[x] += enters[x];
-            column_sums[x] -= leaves[x];
-        }
+        const std::uint16_t* leaves = y > 0 ? row_sums(y - kRadius - 1) : scratch.no_row.data();
+        moveDown(row_sums(y + kRadius), leaves, width, column_sums);
+        std::copy_n(column_sums, width, scratch.filtered.data() + std::size_t(y) * width);
     }
     stretch(scratch.filtered, scratch.histogram, texture);
 }

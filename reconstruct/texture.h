@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,10 +16,13 @@ double unitPower(double x, double exponent);
 
 /// Scratch memory of makeTexture.
 struct TextureScratch {
-    std::vector<std::uint16_t> corrected;    ///< one row
+    double gamma = -1;                       ///< for which the table was made
+    std::array<std::uint16_t, 511> table{};  ///< level of the sum of two pixels
+    std::vector<std::uint16_t> corrected;    ///< one row, with the filter's reach at both ends
     std::vector<std::uint16_t> row_sums;     ///< of the texture's size
     std::vector<std::uint16_t> filtered;     ///< likewise
-    std::vector<std::uint32_t> column_sums;  ///< one row
+    std::vector<std::uint16_t> column_sums;  ///< one row
+    std::vector<std::uint16_t> no_row;       ///< one row of zeros
     std::vector<std::uint32_t> histogram;
 };
 

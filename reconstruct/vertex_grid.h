@@ -14,37 +14,51 @@ enum class Cell : std::uint8_t {
     filled,  ///< no edge was seen here; the place follows the surrounding surface
 };
 
-/// The light around a stripe edge, in the frames of its own pair.
-struct EdgeLight {
-    float contrast = 0;    ///< steepness of pattern − complement along y, grey levels per px
-    float sense = 1;       ///< 1 where the pattern gets brighter with y, −1 where darker
-    float brightness = 0;  ///< pattern + complement, grey levels: the scene as if evenly lit
-    float gradient_x = 0;  ///< relative change of the brightness per px along the columns' axis
-    float gradient_y = 0;  ///< … along y
+/// The columns of a row outside which all its cells are empty: first … end − 1.
+struct Extent {
+    int first = 0;
+    int end = 0;
 };
 
 /// The stripe edges of a scan: one cell for each edge code and each image line across the stripes
 /// (a "column"). Row c holds the edge between the stripes c − 1 and c; row 0 stays empty. Dense
-/// arrays of codes × columns cells, row after row, so that neighbours are known without search.
+/// planes of codes × columns cells, row after row, so that neighbours are known without search.
+/// Where a cell is empty, the other planes hold anything.
 struct VertexGrid {
     int codes = 0;
     int columns = 0;
+    std::vector<Extent> extent;  ///< by code
     std::vector<Cell> cell;
     std::vector<float> y;  ///< where the edge crosses the column, px in the stripe image
-    std::vector<EdgeLight> light;
+
+    // The light around the edge, in the frames of its own pair.
+    std::vector<float> contrast;    ///< steepness of P − C along y, grey levels per px; 0: filled
+    std::vector<float> gradient_x;  ///< relative change of P + C per px along the columns' axis
+    std::vector<float> gradient_y;  ///< … along y
+    std::vector<float> drift_gain;  ///< how far the edge moves along y for a relative change of the
+                                    ///< brightness from pattern to complement, px
+
     std::vector<float> scratch;  ///< of the size of `y` where a stage needs the old and the new
     std::vector<Cell> scratch_cell;
 
     std::size_t index(int code, int column) const { return std::size_t(code) * columns + column; }
     std::size_t size() const { return std::size_t(codes) * columns; }
 
+    /// The planes of floats hold so many more than cells: what reads a few cells on from the last
+    /// one stays inside.
+    static constexpr int kBeyond = 16;
+
     /// Makes all cells empty.
     void reset(int code_count, int column_count) {
         codes = code_count;
         columns = column_count;
+        extent.assign(codes, {columns, 0});
         cell.assign(size(), Cell::empty);
-        y.assign(size(), 0.0f);
-        light.assign(size(), {});
+        for (std::vector<float>* plane :
+             {&y, &contrast, &gradient_x, &gradient_y, &drift_gain, &scratch}) {
+            plane->resize(size() + kBeyond);
+        }
+        scratch_cell.resize(size());
     }
 };
 

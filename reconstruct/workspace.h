@@ -8,6 +8,8 @@
 #include "reconstruct/fill.h"
 #include "reconstruct/filter.h"
 #include "reconstruct/image_motion.h"
+#include "reconstruct/lay_mesh.h"
+#include "reconstruct/normals.h"
 #include "reconstruct/pixel_planes.h"
 #include "reconstruct/smooth.h"
 #include "reconstruct/surface_motion.h"
@@ -22,18 +24,22 @@ namespace facescan {
 struct Workspace {
     std::vector<std::uint8_t> turned_frames;
     PixelPlanes planes;
-    std::vector<StripeEdge> edges;
+    DecodeScratch decode;
     VertexGrid grid;
     GridCalibration calibration;
-    std::vector<Point> points;
+    PointPlanes points;
     std::vector<float> values;
-    std::vector<Point> slopes;
+    ReferencePlanes reference_planes;
     ImageMotionScratch image_motion;
-    std::vector<AlignmentEquation> motion;
+    AlignmentEquations motion;
     FilterScratch filter;
     SmoothScratch smooth;
     FillScratch fill;
     TessellateScratch tessellate;
+    Quads quads;
+    NormalScratch normal;
+    PointPlanes normals;
+    LayMeshScratch lay_mesh;
     TextureScratch texture;
 };
 

@@ -23,9 +23,9 @@ Decoded decode(const FrameStack& frames, const Pattern& pattern, const Options& 
     const StripeImages images = stripeImages(frames.view(), wholeFrames(frames, pattern), buffer);
     PixelPlanes planes;
     computePixelPlanes(images, planes);
-    std::vector<StripeEdge> edges;
+    DecodeScratch scratch;
     Decoded decoded;
-    decoded.counts = decodeEdges(images, planes, options, edges, decoded.grid);
+    decoded.counts = decodeEdges(images, planes, options, scratch, decoded.grid);
     return decoded;
 }
 
@@ -138,13 +138,13 @@ TEST(Decode, MeasuresTheLightAroundAnEdge) {
         for (int x = 3; x < 37; ++x) {
             const std::size_t i = grid.index(edge, x);
             ASSERT_EQ(grid.cell[i], Cell::measured);
-            const EdgeLight& light = grid.light[i];
             // Between the two frames of a pair the place gets the light of one lit stripe and of
             // one dark one.
             const double reflectance = std::exp(scene.log_reflectance(x, grid.y[i]));
-            EXPECT_NEAR(light.brightness, 1.05 * 150 * reflectance, 2.5);
-            EXPECT_NEAR(light.gradient_x, 0.01, 0.006);
-            EXPECT_NEAR(light.gradient_y, -0.006, 0.006);
+            const double brightness = 1.05 * 150 * reflectance;
+            EXPECT_NEAR(std::fabs(grid.drift_gain[i]) * 2 * grid.contrast[i], brightness, 2.5);
+            EXPECT_NEAR(grid.gradient_x[i], 0.01, 0.006);
+            EXPECT_NEAR(grid.gradient_y[i], -0.006, 0.006);
             const int pair = pairOfEdge(edge, pattern.bits);
             const auto difference = [&](int y) {
                 const FrameStackView view = frames.view();
@@ -152,7 +152,9 @@ TEST(Decode, MeasuresTheLightAroundAnEdge) {
                 return view.frame(2 * pair)[pixel] - view.frame(2 * pair + 1)[pixel];
             };
             const int y = int(grid.y[i]);
-            EXPECT_NEAR(light.contrast, std::abs(difference(y + 1) - difference(y)), 3.0);
+            const int change = difference(y + 1) - difference(y);
+            EXPECT_NEAR(grid.contrast[i], std::abs(change), 3.0);
+            EXPECT_EQ(grid.drift_gain[i] > 0, change > 0) << "darker in the second frame";
         }
     }
 }

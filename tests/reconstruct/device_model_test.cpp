@@ -44,7 +44,7 @@ double worstOf(const ScanDescription& scan, bool recover_device,
                     const double middle = 0.5 * (low + high);
                     ((code_of(middle * r) < code) == below ? low : high) = middle;
                 }
-                const Point p = calibration.line(code, column).at(float(y));
+                const Point p = calibration.at(code, column, float(y));
                 worst = std::max(worst, (Vector3d(p.x, p.y, p.z) - low * r).norm());
             }
         }

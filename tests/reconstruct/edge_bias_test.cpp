@@ -40,9 +40,9 @@ VertexGrid decode(const FrameStack& frames, const Pattern& pattern) {
     const StripeImages images = stripeImages(frames.view(), wholeFrames(frames, pattern), buffer);
     PixelPlanes planes;
     computePixelPlanes(images, planes);
-    std::vector<StripeEdge> edges;
+    DecodeScratch scratch;
     VertexGrid grid;
-    decodeEdges(images, planes, {}, edges, grid);
+    decodeEdges(images, planes, {}, scratch, grid);
     return grid;
 }
 
@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Gradients, EdgeBias,
 
 TEST(EdgeBias, IsLeftAloneWithoutBlurAndDrift) {
     VertexGrid grid = makeGrid(32, 40, [](int code, int x) { return 4.0 * code + 0.1 * x; });
-    for (EdgeLight& light : grid.light) light.gradient_y = 0.05f;
+    std::fill(grid.gradient_y.begin(), grid.gradient_y.end(), 0.05f);
     const std::vector<float> before = grid.y;
     correctEdgeBias(0, {}, 5, grid);
     EXPECT_EQ(grid.y, before);

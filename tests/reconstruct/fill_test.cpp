@@ -135,7 +135,7 @@ TEST(Fill, GivesFilledCellsNoLight) {
     VertexGrid grid = makeGrid(kCodes, kColumns, quadratic);
     cutHole(20, 30, 4, 12, grid);
     fill(grid);
-    EXPECT_EQ(grid.light[grid.index(21, 35)].contrast, 0);
+    EXPECT_EQ(grid.contrast[grid.index(21, 35)], 0);
 }
 
 }  // namespace

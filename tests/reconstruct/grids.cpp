@@ -8,6 +8,7 @@ namespace facescan::test {
 VertexGrid makeGrid(int codes, int columns, const GridField& y, float contrast) {
     VertexGrid grid;
     grid.reset(codes, columns);
+    for (int code = 1; code < codes; ++code) grid.extent[code] = {0, columns};
     for (int code = 1; code < codes; ++code) {
         for (int column = 0; column < columns; ++column) {
             const double place = y(code, column);
@@ -15,8 +16,8 @@ VertexGrid makeGrid(int codes, int columns, const GridField& y, float contrast) 
             const std::size_t i = grid.index(code, column);
             grid.cell[i] = Cell::measured;
             grid.y[i] = float(place);
-            grid.light[i].contrast = contrast;
-            grid.light[i].brightness = 200;
+            grid.contrast[i] = contrast;
+            grid.drift_gain[i] = 100 / contrast;
         }
     }
     return grid;
@@ -34,11 +35,12 @@ int countCells(const VertexGrid& grid, Cell kind) {
     return int(std::count(grid.cell.begin(), grid.cell.end(), kind));
 }
 
-std::vector<Point> flatPoints(const VertexGrid& grid) {
-    std::vector<Point> points(grid.size());
+PointPlanes flatPoints(const VertexGrid& grid) {
+    PointPlanes points;
+    points.resize(grid.size() + VertexGrid::kBeyond);
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const float column = float(int(i % grid.columns));
-        points[i] = {0.2f * (column - 0.5f * float(grid.columns)), 0.2f * grid.y[i], 400.0f};
+        points.set(i, {0.2f * (column - 0.5f * float(grid.columns)), 0.2f * grid.y[i], 400.0f});
     }
     return points;
 }

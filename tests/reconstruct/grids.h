@@ -20,6 +20,6 @@ void cutHole(int code, int column, int codes, int columns, VertexGrid& grid);
 int countCells(const VertexGrid& grid, Cell kind);
 
 /// Points as an upright camera sees a plane at 400 mm: 0.2 mm a pixel, X along the columns.
-std::vector<Point> flatPoints(const VertexGrid& grid);
+PointPlanes flatPoints(const VertexGrid& grid);
 
 }  // namespace facescan::test

@@ -46,9 +46,10 @@ void expectPlanes(const StripeImages& images, const PixelPlanes& planes) {
     ASSERT_EQ(planes.height, images.height);
     for (int y = 0; y < images.height; ++y) {
         for (int x = 0; x < images.width; ++x) {
-            int codeword = 0, low = 255, high = 0, sum = 0;
+            std::uint32_t codeword = 0;
+            int low = 255, high = 0, sum = 0;
             for (int pair = 0; pair < images.bits; ++pair) {
-                codeword = 2 * codeword + signAt(images, pair, x, y);
+                codeword = 2 * codeword + std::uint32_t(signAt(images, pair, x, y));
                 for (const int level :
                      {images.patternRow(pair, y)[x], images.complementRow(pair, y)[x]}) {
                     low = std::min(low, level);
@@ -57,7 +58,7 @@ void expectPlanes(const StripeImages& images, const PixelPlanes& planes) {
                 }
             }
             const std::size_t i = planes.index(x, y);
-            ASSERT_EQ(planes.codeword[i], codeword) << "at " << x << ", " << y;
+            ASSERT_EQ(planes.stripe[i], grayStripe(codeword)) << "at " << x << ", " << y;
             ASSERT_EQ(planes.modulation[i], high - low) << "at " << x << ", " << y;
             ASSERT_EQ(planes.brightness[i], sum) << "at " << x << ", " << y;
         }
@@ -102,7 +103,7 @@ TEST(PixelPlanes, HoldTheSumOfTwelvePairsOfWhiteFrames) {
     computePixelPlanes(imagesIn(frames, 12, {16, 16, 16, 0}), planes);
     EXPECT_EQ(planes.brightness.front(), 24 * 255);
     EXPECT_EQ(planes.modulation.front(), 0);
-    EXPECT_EQ(planes.codeword.front(), 0) << "equal pixels are not lit";
+    EXPECT_EQ(planes.stripe.front(), 0) << "equal pixels are not lit";
 }
 
 }  // namespace

@@ -32,15 +32,16 @@ struct Motion {
 class Calibrated {
 public:
     Calibrated(const GridCalibration& calibration, const VertexGrid& grid) : grid_(grid) {
-        calibrateCells(calibration, grid, points_, &slopes_);
+        calibrateCells(calibration, grid, points_);
+        findReferencePlanes(calibration, grid, points_, planes_);
     }
 
-    MeasuredSurface surface() const { return {grid_, points_, slopes_}; }
+    MeasuredSurface surface() const { return {grid_, points_, planes_}; }
 
 private:
     VertexGrid grid_;
-    std::vector<Point> points_;
-    std::vector<Point> slopes_;
+    PointPlanes points_;
+    ReferencePlanes planes_;
 };
 
 /// A surface that moves from pair to pair, seen by an ideal scanner.
@@ -94,7 +95,7 @@ private:
 
     SurfaceMotion estimate(const Calibrated& calibrated) const {
         const MeasuredSurface surface = calibrated.surface();
-        std::vector<AlignmentEquation> scratch;
+        AlignmentEquations scratch;
         return estimateSurfaceMotion(surface, calibration_, scanner_.bits,
                                      findMiddle(surface.grid, surface.points), imageMotions(),
                                      scratch);
@@ -102,7 +103,7 @@ private:
 
     /// How far a point of the edge's line lies behind the moved surface, mm of Z.
     double depthBehind(const Motion& motion, int code, int column, double y) const {
-        const Point p = calibration_.line(code, column).at(float(y));
+        const Point p = calibration_.at(code, column, float(y));
         const Vector3d back = motion.undo({p.x, p.y, p.z}, centre_);
         return back.z() - surface_(back / back.z());
     }
@@ -119,7 +120,7 @@ private:
                 const bool same = (depthBehind(motion, code, column, middle) < 0) == front;
                 (same ? low : high) = middle;
             }
-            const float z = calibration_.line(code, column).at(float(low)).z;
+            const float z = calibration_.at(code, column, float(low)).z;
             return z > kNearest && z < kFarthest ? low : std::nan("");
         });
     }
@@ -258,7 +259,7 @@ TEST(SurfaceMotion, OfNothingIsNone) {
     const Calibrated calibrated(calibration, grid);
     const SurfaceMiddle middle = findMiddle(grid, calibrated.surface().points);
     EXPECT_EQ(middle.code, 0);
-    std::vector<AlignmentEquation> scratch;
+    AlignmentEquations scratch;
     const SurfaceMotion motion =
         estimateSurfaceMotion(calibrated.surface(), calibration, 8, middle, {}, scratch);
     compensateMotion(calibrated.surface(), motion, 8, grid);

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "reconstruct/grids.h"
+#include "reconstruct/lay_mesh.h"
 #include "reconstruct/mesh_topology.h"
+#include "reconstruct/normals.h"
 
 namespace facescan {
 namespace {
@@ -29,7 +31,7 @@ struct Sheet {
     ScanDescription scan;
     bool rising = true;
     VertexGrid grid;
-    std::vector<Point> points;
+    PointPlanes points;
     EdgeNoise noise;
 
     /// Every pixel is 0.4 mm wide, at the depth that `depth` gives the cell.
@@ -39,25 +41,42 @@ struct Sheet {
         : rising(mounting.rising), grid(makeGrid(codes, columns, y)) {
         scan.pattern.axis = mounting.axis;
         scan.image = {30, 20, 300, 200};
-        points.resize(grid.size());
+        points.resize(grid.size() + VertexGrid::kBeyond);
         for (int code = 1; code < codes; ++code) {
             for (int column = 0; column < columns; ++column) {
                 const std::size_t i = grid.index(code, column);
                 const bool turned = mounting.axis == CodeAxis::x;
                 const float across = 0.4f * float(column);
                 const float along = 0.4f * grid.y[i];
-                points[i] = {turned ? along : across, turned ? across : along,
-                             float(depth(code, column))};
+                points.set(i, {turned ? along : across, turned ? across : along,
+                               float(depth(code, column))});
             }
         }
     }
 
     Mesh tessellated(const Options& options = {}) const {
-        TessellateScratch scratch;
-        Mesh mesh;
-        tessellate(scan, options, grid, points, rising, noise, scratch, mesh);
-        return mesh;
+        Tessellator tessellator;
+        tessellator.run(*this, options);
+        return tessellator.mesh;
     }
+
+    /// The stages from the grid to the mesh, and their memory.
+    struct Tessellator {
+        TessellateScratch scratch;
+        Quads quads;
+        NormalScratch normal_scratch;
+        PointPlanes normals;
+        LayMeshScratch lay_scratch;
+        Mesh mesh;
+
+        void run(const Sheet& sheet, const Options& options) {
+            tessellate(options, sheet.grid, sheet.points, sheet.rising, scratch, quads);
+            const float side = turnsClockwise(sheet.scan.pattern, sheet.rising) ? -1.0f : 1.0f;
+            computeNormals(sheet.grid, sheet.points, quads, side, normal_scratch, normals);
+            layMesh(sheet.scan, sheet.grid, sheet.points, normals, quads, sheet.rising,
+                    sheet.noise, lay_scratch, mesh);
+        }
+    };
 };
 
 GridField plane(const Mounting& mounting) {
@@ -103,7 +122,7 @@ TEST(Tessellate, CutsAQuadAlongItsShorterDiagonal) {
             }
         }
         const auto place = [&](int code, int column) {
-            const Point& p = sheet.points[sheet.grid.index(code, column)];
+            const Point p = sheet.points[sheet.grid.index(code, column)];
             return std::pair{p.x, p.y};
         };
         const bool falling = skew < 0;
@@ -175,9 +194,9 @@ TEST(Tessellate, TellsFilledVerticesFromMeasuredOnes) {
     sheet.noise.grey_levels = 4;
     const std::size_t filled = sheet.grid.index(5, 5);
     sheet.grid.cell[filled] = Cell::filled;
-    sheet.grid.light[filled] = {};
+    sheet.grid.contrast[filled] = 0;
     const std::size_t faint = sheet.grid.index(7, 7);
-    sheet.grid.light[faint].contrast = 1;
+    sheet.grid.contrast[faint] = 1;
     float faint_quality = 1, usual_quality = 0;
     int unmeasured = 0;
     for (const Vertex& v : sheet.tessellated().vertices) {
@@ -199,13 +218,13 @@ TEST(Tessellate, TellsFilledVerticesFromMeasuredOnes) {
 
 TEST(Tessellate, OverwritesTheMeshOfTheScanBefore) {
     const Mounting mounting{CodeAxis::y, true};
-    TessellateScratch scratch;
-    Mesh mesh;
+    Sheet::Tessellator tessellator;
     const Sheet large(mounting, 40, 50, plane(mounting));
     const Sheet small(mounting, 13, 21, plane(mounting));
     for (const Sheet* sheet : {&large, &small}) {
-        tessellate(sheet->scan, {}, sheet->grid, sheet->points, true, {}, scratch, mesh);
+        tessellator.run(*sheet, {});
     }
+    const Mesh& mesh = tessellator.mesh;
     EXPECT_EQ(mesh.vertices.size(), 12u * 21u);
     EXPECT_EQ(findFlaws(mesh), MeshFlaws{});
 }
@@ -248,7 +267,7 @@ TEST(TessellateProperty, MakesAManifoldOfAnyGrid) {
 TEST(TessellateProperty, ShowsItsFrontToTheCamera) {
     EXPECT_TRUE(rc::check([] {
         Sheet sheet = anySheet();
-        for (Point& point : sheet.points) point.z = 4000;
+        std::fill(sheet.points.z.begin(), sheet.points.z.end(), 4000.0f);
         RC_ASSERT(findFlaws(sheet.tessellated()).seen_from_behind == 0);
     }));
 }

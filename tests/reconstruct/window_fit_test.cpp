@@ -46,7 +46,16 @@ class WindowFit : public testing::TestWithParam<int> {
 protected:
     const Window& window() const { return kWindows[GetParam()]; }
     RobustFit robust(const VertexGrid& grid, float cutoff) const {
-        return robustFit(grid, GetParam(), 15, 20, cutoff, window().half_codes);
+        return robust(grid, cutoff, window().half_codes);
+    }
+    /// At the cell of code 15 in column 20.
+    RobustFit robust(const VertexGrid& grid, float cutoff, int half_codes) const {
+        FitPlanes planes;
+        planes.assign(grid);
+        const FitRequest request{.code = 15, .column = 20, .cutoff = cutoff};
+        RobustFit fit;
+        robustFits(planes, GetParam(), half_codes, {&request, 1}, {&fit, 1});
+        return fit;
     }
 };
 
@@ -100,7 +109,7 @@ TEST_P(WindowFit, OfARowTakesNothingFromTheOthers) {
     VertexGrid grid = makeGrid(30, 40, [](int code, int column) {
         return quadratic(code, column) + (code == 15 ? 0 : 50);
     });
-    const RobustFit fit = robustFit(grid, GetParam(), 15, 20, 0.2f, 0);
+    const RobustFit fit = robust(grid, 0.2f, 0);
     EXPECT_TRUE(fit.consistent);
     EXPECT_NEAR(fit.y, quadratic(15, 20), 5e-3);
 }

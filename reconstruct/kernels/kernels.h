@@ -1,0 +1,421 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "reconstruct/point.h"
+
+namespace facescan {
+
+/// A row of the pixel planes, as pairs of frames are added to it.
+struct PixelRow {
+    std::uint16_t* stripe;      ///< number of the stripe, as far as the pairs so far tell it
+    std::uint16_t* brightness;  ///< sum over the frames
+    std::uint8_t* low;          ///< smallest and largest grey level
+    std::uint8_t* high;
+};
+
+/// What two neighbouring rows of stripe numbers say of the edges between them.
+enum EdgeClass : std::uint8_t {
+    kNoEdge,
+    kRisingEdge,     ///< the next stripe below
+    kFallingEdge,    ///< the stripe before below
+    kAmbiguousEdge,  ///< some other: the two pixels disagree in more than one pair, or in the wrong one
+};
+struct EdgeCounts {
+    int found = 0;  ///< of any class
+    int rising = 0;
+    int falling = 0;
+};
+
+/// Stripe edges whose places are to be found, side by side. Rows are counted from the one before
+/// the edge's gap: the edge lies between the rows 1 and 2.
+struct EdgeBatch {
+    static constexpr int kSize = 256;
+    template <typename T>
+    using Column = std::array<T, kSize>;
+
+    int count = 0;
+    // Of the edge's pair: P − C and P + C, smoothed along the stripe (times four).
+    std::array<Column<std::int32_t>, 4> difference;
+    std::array<Column<std::int32_t>, 4> sum;
+    // The sum of all frames, smoothed likewise, and at the columns to either side.
+    std::array<Column<std::int32_t>, 4> brightness;
+    Column<std::int32_t> brightness_left;
+    Column<std::int32_t> brightness_right;
+    Column<std::uint8_t> inside;  ///< 1 where the rows 0 and 3 are rows of the image
+
+    // Where each edge is, for the caller.
+    Column<std::uint16_t> column;
+    Column<std::uint16_t> code;
+    Column<std::int32_t> row;
+
+    // Results: see EdgeLight.
+    Column<float> place;  ///< px below row 1
+    Column<float> contrast;
+    Column<float> gradient_x;
+    Column<float> gradient_y;
+    Column<float> drift_gain;
+};
+
+/// Cells of one row that lie this many columns apart, with nothing between, can still be one surface.
+inline constexpr int kLargestGap = 3;
+
+/// When neighbouring edges are one surface, px: along a stripe, by the change of place for each
+/// column; across, by the width of the stripe between them in the direction `sign`.
+struct ContinuityLimits {
+    float max_step;
+    float min_width;
+    float max_width;
+    float sign;
+};
+
+/// Marks of the edges of a row that their neighbours' places continue.
+struct NeighbourRow {
+    std::array<std::uint8_t*, kLargestGap> along;  ///< … columns to the right
+    std::uint8_t* across;                          ///< in the next row
+};
+
+/// A row of edges to be turned into points.
+struct EdgeRow {
+    const float* across;  ///< normalised place of each column
+    const float* y;       ///< px
+    float shift;          ///< px, added to each y
+    float along_offset;   ///< normalised y = (y + shift − along_offset) · along_per_px
+    float along_per_px;
+};
+
+/// A row of points: to be read, or to be written.
+struct ConstPointRow {
+    const float* x;
+    const float* y;
+    const float* z;
+};
+struct PointRow {
+    float* x;
+    float* y;
+    float* z;
+
+    operator ConstPointRow() const { return {x, y, z}; }
+};
+
+/// The row of planes that begins at an index.
+inline PointRow rowFrom(PointPlanes& planes, std::size_t i) {
+    return {planes.x.data() + i, planes.y.data() + i, planes.z.data() + i};
+}
+inline ConstPointRow rowFrom(const PointPlanes& planes, std::size_t i) {
+    return {planes.x.data() + i, planes.y.data() + i, planes.z.data() + i};
+}
+
+/// DeviceModel for one code: its plane is plane · P = plane_distance, and rays are affine in
+/// (across, along).
+struct DeviceRow {
+    std::array<float, 3> ray_x;
+    std::array<float, 3> ray_y;
+    std::array<float, 3> radial;
+    std::array<float, 2> tangential;
+    std::array<float, 3> plane;
+    float plane_distance;
+};
+
+/// The calibration's polynomials for one code: planes of coefficients by column, in the order in
+/// which Horner's scheme takes them, for X, Y and Z.
+struct PolynomialRow {
+    int degree;
+    float code;  ///< normalised
+    const float* terms;
+    std::ptrdiff_t term_stride;
+    std::ptrdiff_t output_stride;
+};
+
+/// Rows of points around a row of cells: the finest pair's above and below, at the columns to the
+/// left and right as far as `reach`, and the cells' own for half a pixel of their edges more and
+/// less.
+struct ReferenceRows {
+    ConstPointRow above;
+    ConstPointRow below;
+    ConstPointRow ahead;
+    ConstPointRow behind;
+    int reach;
+    float least_mm_per_px;  ///< seen more edge on than this, a plane is of no use
+};
+
+/// The finest pair's surface at the cells of a row.
+struct ReferencePlaneRow {
+    PointRow normal;      ///< unit
+    float* mm_per_px;     ///< along the normal, for a pixel of the edge's place
+    std::uint8_t* known;  ///< in: whether the points around are; out: and the plane is of use
+};
+struct ConstReferencePlaneRow {
+    ConstPointRow normal;
+    const float* mm_per_px;
+    const std::uint8_t* known;
+};
+
+/// A small rigid motion about a centre.
+struct MotionAbout {
+    std::array<float, 3> centre;
+    std::array<float, 3> translation;
+    std::array<float, 3> rotation;
+};
+
+/// The normal equations of six unknowns: the lower triangle of the products row by row, the
+/// products with the value, and the sum of the residuals' moduli.
+struct SixSums {
+    std::array<float, 21> products;
+    std::array<float, 6> right;
+    float residuals;
+};
+
+/// Equations of an alignment, side by side. Their number is a multiple of kSumLanes; those that
+/// only fill up are zero.
+struct AlignmentBatch {
+    std::array<const float*, 6> row;
+    const float* distance;
+    int count;
+};
+
+/// A sum over a row of values runs in so many lanes in every form, whatever the register's width.
+inline constexpr int kSumLanes = 8;
+
+/// Pixels of the reference image of a registration, side by side, in multiples of kSumLanes. Levers
+/// are counted from the point about which the motion turns, px.
+struct RegistrationPixels {
+    int count;
+    const float* level;
+    const float* gradient_x;
+    const float* gradient_y;
+    const float* lever_x;
+    const float* lever_y;
+};
+
+struct Similarity {
+    float x, y;  ///< shift of the point about which it turns, and that point
+    float turn;
+    float scale;
+    float middle_x, middle_y;
+    float last_x, last_y;  ///< of the image: places up to here have a neighbour beyond
+};
+
+/// The same pixels in the other image.
+struct WarpedPixels {
+    std::int32_t* x;  ///< pixel at or before the place …
+    std::int32_t* y;
+    float* part_x;  ///< … and how far the place lies beyond it
+    float* part_y;
+    float* weight;  ///< 1, or 0 where the place is outside
+    std::array<std::int32_t*, 4> level;  ///< at (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)
+};
+
+struct RegistrationState {
+    float unit;       ///< brings levels near 0 … 1
+    float gain;       ///< current = gain · reference + offset
+    float offset;
+    float per_lever;  ///< brings the levers' coefficients to similar size
+    float inverse_cutoff;  ///< of the robust weights; 0 weighs all alike
+};
+
+/// Two neighbouring rows of cells; quad i has the cells i and i + 1 of both.
+struct QuadRows {
+    ConstPointRow north;
+    ConstPointRow south;
+    const float* north_y;
+    const float* south_y;
+    const std::uint8_t* north_present;
+    const std::uint8_t* south_present;
+};
+
+/// Flags of a row of quads; see quads.h.
+struct QuadFlags {
+    const std::uint8_t* first;
+    const std::uint8_t* second;
+    const std::uint8_t* falling;
+};
+
+/// How a row of quads is cut: flags, the square of each triangle's longest edge (0 where there is
+/// none), and the edge itself in whole units, so that a sum does not depend on its order.
+inline constexpr float kLengthUnits = 256;    // to the millimetre
+inline constexpr float kLongestCounted = 64;  // mm
+struct QuadCuts {
+    std::uint8_t* first;
+    std::uint8_t* second;
+    std::uint8_t* falling;
+    float* first_longest;
+    float* second_longest;
+    std::int32_t* first_length;
+    std::int32_t* second_length;
+};
+
+/// The normals of a row of quads' triangles, as long as twice their areas.
+struct TriangleRows {
+    PointRow first;
+    PointRow second;
+};
+
+/// The quads to the south and to the north of a row of vertices; vertex i lies between the quads
+/// i − 1 and i.
+struct VertexCorners {
+    struct Side {
+        ConstPointRow first;
+        ConstPointRow second;
+        const std::uint8_t* falling;
+    };
+    Side south;
+    Side north;
+};
+
+/// Rows of edge positions around the one that is looked at.
+struct RegularityRows {
+    const float* before;
+    const float* here;
+    const float* after;
+    const float* contrast;
+};
+
+/// How far from the middle between its neighbours an edge may lie: the larger of two limits, of
+/// which the second, in grey levels of P − C, becomes one in px through the edge's contrast.
+struct RegularityLimits {
+    float tolerance_px;
+    float noise_grey_levels;
+};
+
+/// A filter over 2 half_codes + 1 rows and 2 half_columns + 1 columns, its weights row after row.
+struct FilterWindow {
+    int half_codes;
+    int half_columns;
+    const float* weights;
+};
+
+/// Neighbouring cells of a row of the grid, through the window around each of which a quadratic is
+/// to be fitted.
+struct FitSpan {
+    static constexpr int kSize = 8;
+    static constexpr int kMostCells = 7 * 15;
+    template <typename T>
+    using Lane = std::array<T, kSize>;
+
+    // Planes of the grid with a margin as wide as a window, at the first cell.
+    const float* y = nullptr;
+    const float* present = nullptr;  ///< 1 where there is a value, else 0
+    std::ptrdiff_t stride = 0;       ///< from one code to the next
+
+    int half_codes = 0;
+    int half_columns = 0;
+    float per_code = 1;  ///< scale of the places along the codes …
+    float per_column = 1;
+    float fewest = 0;  ///< cells that a fit needs
+    Lane<float> cutoff;  ///< px
+    Lane<std::uint8_t> wanted;  ///< 1 where a fit is asked for; elsewhere the result is void
+
+    Lane<float> correction;         ///< result: the surface at the cell, px from the cell
+    Lane<std::uint8_t> consistent;  ///< result: the cell lies on the surface
+};
+
+/// The hot loops of reconstruction, in one form: chosen once, outside the loops. All forms give the
+/// same bits.
+struct Kernels {
+    /// Prepares a row of pixels for its first pair.
+    void (*startRow)(int width, const PixelRow& row);
+
+    /// Adds a pair of frames to a row of pixels. A pair's sign at a pixel is that of P − C, averaged
+    /// over the neighbours along the row with weights 1 2 1; it is the next bit of the Gray
+    /// codeword, and the stripe number its binary form.
+    void (*addPair)(const std::uint8_t* pattern, const std::uint8_t* complement, int width,
+                    const PixelRow& row);
+
+    /// Leaves the modulation in `high`. @returns how many pixels of the row were saturated
+    int (*finishRow)(int width, const PixelRow& row);
+
+    /// Classifies the gaps between two rows of pixels. Pixels of less modulation than
+    /// `min_modulation` show no edge.
+    EdgeCounts (*classifyEdges)(const std::uint16_t* stripe_above,
+                                const std::uint16_t* stripe_below,
+                                const std::uint8_t* modulation_above,
+                                const std::uint8_t* modulation_below, int min_modulation,
+                                int width, std::uint8_t* edge_class);
+
+    /// Locates the edges of a batch: see decodeEdges().
+    void (*locateEdges)(EdgeBatch& batch, float frames);
+
+    /// Compares the places y of a row with those to their right and in the next row. The row is read
+    /// kLargestGap columns beyond its end.
+    void (*compareNeighbours)(const float* y, const float* next_row,
+                              const ContinuityLimits& limits, int first, int end,
+                              const NeighbourRow& near);
+
+    /// The points of `count` edges of a row, by the device or by polynomials.
+    void (*deviceRow)(const DeviceRow& device, const EdgeRow& row, int count,
+                      const PointRow& points);
+    void (*polynomialRow)(const PolynomialRow& polynomial, const EdgeRow& row, int count,
+                          const PointRow& points);
+
+    /// Completes the reference planes of `count` cells: see findReferencePlanes().
+    void (*referencePlanes)(const ReferenceRows& rows, int count, const ReferencePlaneRow& planes);
+
+    /// Moves `count` edges of a row by a rigid motion: see compensateMotion().
+    void (*compensateRow)(const ConstPointRow& points, const ConstReferencePlaneRow& planes,
+                          const MotionAbout& motion, int count, float* shift);
+
+    /// Sums the normal equations of an alignment: see estimateSurfaceMotion().
+    void (*sumAlignment)(const AlignmentBatch& batch, const std::array<float, 6>& motion,
+                         float inverse_cutoff, SixSums& sums);
+
+    /// Where the pixels of a registration stand in the other image: see estimateImageMotion().
+    void (*warpPixels)(const RegistrationPixels& pixels, const Similarity& motion,
+                       const WarpedPixels& warped);
+
+    /// Sums the normal equations of a registration.
+    void (*sumRegistration)(const RegistrationPixels& pixels, const WarpedPixels& warped,
+                            const RegistrationState& state, SixSums& sums);
+
+    /// Halves and blurs an image: see estimateImageMotion().
+    void (*halveRows)(const std::array<const std::uint8_t*, 4>& rows, int width,
+                      std::uint16_t* halved);
+    void (*blurRows)(const std::array<const std::uint16_t*, 3>& rows, int width,
+                     std::uint16_t* blurred);
+
+    /// Cuts `count` quads into triangles: see tessellate(). `sign` is 1 where y rises with the code,
+    /// else −1.
+    void (*cutQuads)(const QuadRows& rows, float sign, int count, const QuadCuts& cuts);
+
+    /// Leaves a flag only where the value is below the limit.
+    void (*markShort)(const float* longest, float limit, int count, std::uint8_t* flags);
+
+    /// The normals of `count` quads' triangles, zero where there is none.
+    void (*triangleNormals)(const QuadRows& rows, const QuadFlags& flags, int count,
+                            const TriangleRows& normals);
+
+    /// The unit normals of `count` vertices: the sum of their triangles', times `side`; −Z where that
+    /// is nothing.
+    void (*vertexNormals)(const VertexCorners& corners, float side, int count,
+                          const PointRow& normals);
+
+    /// The quality of `count` measured vertices: 1 for an edge without noise, ½ where the noise is a
+    /// fifth of a pixel.
+    void (*vertexQuality)(const float* contrast, float noise_grey_levels, int count,
+                          float* quality);
+
+    /// Leaves a mark in `regular` only where the edge lies near the middle between its neighbours,
+    /// in its row and in its column. All rows are read one column beyond first … end − 1.
+    void (*markRegular)(const RegularityRows& rows, const RegularityLimits& limits, int first,
+                        int end, std::uint8_t* regular);
+
+    /// Filters the columns first … end − 1 of the row `middle_row` of a grid of that many columns.
+    void (*filterRow)(const float* middle_row, int columns, const FilterWindow& window, int first,
+                      int end, float* filtered);
+
+    /// Fits the windows of a span: see robustFits().
+    void (*fitWindows)(FitSpan& span);
+};
+
+/// The form for this machine.
+const Kernels& kernels();
+
+/// All forms that this build holds, for tests and benchmarks: the plain one, a float and a pixel at
+/// a time, is the reference for the others.
+const Kernels& plainKernels();
+const Kernels& portableKernels();
+const Kernels* neonKernels();  ///< null where the build has none
+
+}  // namespace facescan

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "reconstruct/kernels/edges.h"
+#include "reconstruct/kernels/kernels.h"
+#include "reconstruct/kernels/links.h"
+#include "reconstruct/kernels/motion.h"
+#include "reconstruct/kernels/pixels.h"
+#include "reconstruct/kernels/points.h"
+#include "reconstruct/kernels/quads.h"
+#include "reconstruct/kernels/windows.h"
+
+namespace facescan {
+
+/// The table of one form.
+template <typename Lanes>
+constexpr Kernels kernelsOf() {
+    return {
+        .startRow = startRow<Lanes>,
+        .addPair = addPair<Lanes>,
+        .finishRow = finishRow<Lanes>,
+        .classifyEdges = classifyEdges<Lanes>,
+        .locateEdges = locateEdges<Lanes>,
+        .compareNeighbours = compareNeighbours<Lanes>,
+        .deviceRow = deviceRow<Lanes>,
+        .polynomialRow = polynomialRow<Lanes>,
+        .referencePlanes = referencePlanes<Lanes>,
+        .compensateRow = compensateRow<Lanes>,
+        .sumAlignment = sumAlignment<Lanes>,
+        .warpPixels = warpPixels<Lanes>,
+        .sumRegistration = sumRegistration<Lanes>,
+        .halveRows = halveRows<Lanes>,
+        .blurRows = blurRows<Lanes>,
+        .cutQuads = cutQuads<Lanes>,
+        .markShort = markShort<Lanes>,
+        .triangleNormals = triangleNormals<Lanes>,
+        .vertexNormals = vertexNormals<Lanes>,
+        .vertexQuality = vertexQuality<Lanes>,
+        .markRegular = markRegular<Lanes>,
+        .filterRow = filterRow<Lanes>,
+        .fitWindows = fitWindows<Lanes>,
+    };
+}
+
+}  // namespace facescan

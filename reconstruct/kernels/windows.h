@@ -1,0 +1,259 @@
+#pragma once
+
+#include "reconstruct/kernels/form.h"
+#include "reconstruct/kernels/kernels.h"
+#include "reconstruct/kernels/lanes.h"
+
+namespace facescan {
+
+/// Whether edges lie near the middle between their neighbours in the row and in the column.
+template <typename Lanes>
+FACESCAN_KERNEL void markRegular(const RegularityRows& rows, const RegularityLimits& limits,
+                                 int first, int end, std::uint8_t* regular) {
+    forLanes<Lanes>(first, end, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
+        const L twice = L(2.0f) * L::load(rows.here + x);
+        const L along = twice - L::load(rows.here + x - 1) - L::load(rows.here + x + 1);
+        const L across = twice - L::load(rows.before + x) - L::load(rows.after + x);
+        const L contrast = L::load(rows.contrast + x);
+        const L limit = L(2.0f) * largerOf(L(limits.tolerance_px) * contrast,
+                                           L(limits.noise_grey_levels));
+        const auto near = (abs(along) * contrast < limit) & (abs(across) * contrast < limit);
+        (L::Mask::load(regular + x) & near).store(regular + x);
+    });
+}
+
+template <typename Lanes>
+FACESCAN_KERNEL void filterRow(const float* middle_row, int columns, const FilterWindow& window,
+                               int first, int end, float* filtered) {
+    const int reach = window.half_columns;
+    forLanes<Lanes>(first, end, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
+        const float* weight = window.weights;
+        L sum(0.0f);
+        for (int c = -window.half_codes; c <= window.half_codes; ++c) {
+            const float* row = middle_row + std::ptrdiff_t(c) * columns + x - reach;
+            for (int dx = 0; dx <= 2 * reach; ++dx) sum = sum + L(*weight++) * L::load(row + dx);
+        }
+        sum.store(filtered + x);
+    });
+}
+
+/// The quadratic a[0] + a[1] v + a[2] u + a[3] v u + a[4] u² + a[5] v² in places u along the
+/// columns and v along the codes, for windows side by side.
+template <typename L>
+class WindowQuadratic {
+public:
+    /// Sums the normal equations of a row of windows at the place v.
+    FACESCAN_INLINE void addRow(float v, const L (&w)[5], const L (&b)[3]) {
+        const L v1(v);
+        const L v2(v * v);
+        const L v3(v * v * v);
+        const L v4(v * v * v * v);
+        add(0, 0, w[0]);
+        add(1, 0, v1 * w[0]);
+        add(1, 1, v2 * w[0]);
+        add(2, 0, w[1]);
+        add(2, 1, v1 * w[1]);
+        add(2, 2, w[2]);
+        add(3, 1, v2 * w[1]);
+        add(3, 2, v1 * w[2]);
+        add(3, 3, v2 * w[2]);
+        add(4, 2, w[3]);
+        add(4, 3, v1 * w[3]);
+        add(4, 4, w[4]);
+        add(5, 1, v3 * w[0]);
+        add(5, 3, v3 * w[1]);
+        add(5, 5, v4 * w[0]);
+        right_[0] = right_[0] + b[0];
+        right_[1] = right_[1] + v1 * b[0];
+        right_[2] = right_[2] + b[1];
+        right_[3] = right_[3] + v1 * b[1];
+        right_[4] = right_[4] + b[2];
+        right_[5] = right_[5] + v2 * b[0];
+    }
+
+    FACESCAN_INLINE WindowQuadratic() {
+        for (int i = 0; i < kTerms; ++i) {
+            for (int j = 0; j <= i; ++j) matrix_[i][j] = L(0.0f);
+            right_[i] = L(0.0f);
+        }
+    }
+
+    /// Solves by L D Lᵀ. @returns where the equations determine the quadratic
+    FACESCAN_INLINE typename L::Mask solve(float damping, L (&a)[6]) {
+        // Products that stand in the matrix twice.
+        matrix_[3][0] = matrix_[2][1];
+        matrix_[4][0] = matrix_[2][2];
+        matrix_[4][1] = matrix_[3][2];
+        matrix_[5][0] = matrix_[1][1];
+        matrix_[5][2] = matrix_[3][1];
+        matrix_[5][4] = matrix_[3][3];
+        for (int i = 1; i < kTerms; ++i) matrix_[i][i] = matrix_[i][i] + L(damping);
+
+        constexpr float kSingular = 4e-6f;  // of a diagonal element: rounding
+        typename L::Mask determined = L(0.0f) < matrix_[0][0];
+        L inverse[kTerms];
+        L lower[kTerms][kTerms];
+        for (int i = 0; i < kTerms; ++i) {
+            L pivot = matrix_[i][i];
+            L scaled[kTerms];
+            for (int j = 0; j < i; ++j) {
+                L sum = matrix_[i][j];
+                for (int k = 0; k < j; ++k) sum = sum - scaled[k] * lower[j][k];
+                scaled[j] = sum;
+                lower[i][j] = sum * inverse[j];
+                pivot = pivot - sum * lower[i][j];
+            }
+            const auto safe = L(kSingular) * matrix_[i][i] < pivot;
+            determined = determined & safe;
+            inverse[i] = reciprocal(select(safe, pivot, L(1.0f)));
+        }
+        for (int i = 0; i < kTerms; ++i) {
+            a[i] = right_[i];
+            for (int k = 0; k < i; ++k) a[i] = a[i] - lower[i][k] * a[k];
+        }
+        for (int i = kTerms - 1; i >= 0; --i) {
+            a[i] = a[i] * inverse[i];
+            for (int k = i + 1; k < kTerms; ++k) a[i] = a[i] - lower[k][i] * a[k];
+        }
+        return determined;
+    }
+
+private:
+    static constexpr int kTerms = 6;
+
+    FACESCAN_INLINE void add(int i, int j, L value) { matrix_[i][j] = matrix_[i][j] + value; }
+
+    L matrix_[kTerms][kTerms];  ///< the lower triangle
+    L right_[kTerms];
+};
+
+/// Fits the windows around neighbouring cells.
+template <typename L>
+class WindowFitter {
+public:
+    FACESCAN_INLINE WindowFitter(const FitSpan& span, int lane)
+        : span_(span),
+          y_(span.y + lane),
+          present_(span.present + lane),
+          middle_(L::load(y_)),
+          cutoff_(L::load(span.cutoff.data() + lane)),
+          wanted_(L::Mask::load(span.wanted.data() + lane)) {}
+
+    /// @param correction  the surface at the cell, px from the cell; 0 where it is not consistent
+    /// @returns where the cell is consistent with the surface
+    FACESCAN_INLINE typename L::Mask fit(L& correction) {
+        const L fewest(span_.fewest);
+        L cells(0.0f);
+        int n = 0;
+        for (int r = -span_.half_codes; r <= span_.half_codes; ++r) {
+            for (int k = -span_.half_columns; k <= span_.half_columns; ++k, ++n) {
+                weight_[n] = L::load(present_ + r * span_.stride + k);
+                cells = cells + weight_[n];
+            }
+        }
+        auto possible = fewest <= cells;
+
+        L a[6];
+        possible = possible & solve(a);
+        const L largest = reweigh(a, reciprocal(L(4.0f) * cutoff_));
+        // Nothing stands out: the unweighted fit is the best one.
+        const auto plain = possible & (largest < L(0.5f) * cutoff_);
+        const L plain_correction = a[0];
+        if (!any(wanted_ & possible & !plain)) {
+            correction = select(plain, plain_correction, L(0.0f));
+            return plain;
+        }
+        for (const float shrink : {2.0f, 1.0f}) {
+            possible = possible & solve(a);
+            reweigh(a, reciprocal(L(shrink) * cutoff_));
+        }
+        const auto consistent = plain | (possible & (fewest <= support_) & (abs(a[0]) < cutoff_));
+        correction = select(consistent, select(plain, plain_correction, a[0]), L(0.0f));
+        return consistent;
+    }
+
+private:
+    static FACESCAN_INLINE bool any(typename L::Mask m) {
+        std::uint8_t bytes[8];
+        m.store(bytes);
+        int sum = 0;
+        for (int n = 0; n < L::kCount; ++n) sum += bytes[n];
+        return sum != 0;
+    }
+
+    FACESCAN_INLINE typename L::Mask solve(L (&a)[6]) {
+        WindowQuadratic<L> quadratic;
+        int n = 0;
+        for (int r = -span_.half_codes; r <= span_.half_codes; ++r) {
+            L w[5] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+            L b[3] = {0.0f, 0.0f, 0.0f};
+            const float* row = y_ + r * span_.stride;
+            for (int k = -span_.half_columns; k <= span_.half_columns; ++k, ++n) {
+                const L u(float(k) * span_.per_column);
+                const L weight = weight_[n];
+                const L value = weight * (L::load(row + k) - middle_);
+                const L weight_u = weight * u;
+                const L weight_u2 = weight_u * u;
+                const L weight_u3 = weight_u2 * u;
+                w[0] = w[0] + weight;
+                w[1] = w[1] + weight_u;
+                w[2] = w[2] + weight_u2;
+                w[3] = w[3] + weight_u3;
+                w[4] = w[4] + weight_u3 * u;
+                const L value_u = value * u;
+                b[0] = b[0] + value;
+                b[1] = b[1] + value_u;
+                b[2] = b[2] + value_u * u;
+            }
+            quadratic.addRow(float(r) * span_.per_code, w, b);
+        }
+        constexpr float kDamping = 1e-4f;
+        return quadratic.solve(kDamping, a);
+    }
+
+    /// Tukey's biweight of the residuals. @returns the largest residual
+    FACESCAN_INLINE L reweigh(const L (&a)[6], L inverse_cutoff) {
+        L largest(0.0f);
+        support_ = L(0.0f);
+        int n = 0;
+        for (int r = -span_.half_codes; r <= span_.half_codes; ++r) {
+            const L v(float(r) * span_.per_code);
+            const L c0 = a[0] + v * (a[1] + v * a[5]) + middle_;
+            const L c1 = a[2] + v * a[3];
+            const std::ptrdiff_t row = r * span_.stride;
+            for (int k = -span_.half_columns; k <= span_.half_columns; ++k, ++n) {
+                const L u(float(k) * span_.per_column);
+                const L present = L::load(present_ + row + k);
+                const L residual =
+                    (L::load(y_ + row + k) - (c0 + u * (c1 + u * a[4]))) * present;
+                const L scaled = residual * inverse_cutoff;
+                const L bell = largerOf(L(1.0f) - scaled * scaled, L(0.0f));
+                weight_[n] = bell * bell * present;
+                support_ = support_ + weight_[n];
+                largest = largerOf(largest, abs(residual));
+            }
+        }
+        return largest;
+    }
+
+    const FitSpan& span_;
+    const float* y_;
+    const float* present_;
+    L middle_;
+    L cutoff_;
+    typename L::Mask wanted_;
+    L support_;
+    L weight_[FitSpan::kMostCells];
+};
+
+template <typename Lanes>
+FACESCAN_KERNEL void fitWindows(FitSpan& span) {
+    forLanes<Lanes>(0, FitSpan::kSize, [&]<typename L>(int lane) FACESCAN_INLINE_LAMBDA {
+        WindowFitter<L> fitter(span, lane);
+        L correction;
+        fitter.fit(correction).store(span.consistent.data() + lane);
+        correction.store(span.correction.data() + lane);
+    });
+}
+
+}  // namespace facescan
