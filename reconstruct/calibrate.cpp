@@ -16,7 +16,6 @@ int termIndex(int degree, int j, int k) {
     return lower * (lower + 1) / 2 + (degree - j - k);
 }
 
-
 }  // namespace
 
 void GridCalibration::prepare(const ScanDescription& scan, int columns, bool recover_device) {
@@ -67,7 +66,8 @@ void GridCalibration::tabulatePolynomials() {
 
 void GridCalibration::row(int code, int first, int count, const float* y, float shift,
                           const PointRow& points) const {
-    const EdgeRow edges{columns_.data() + first, y, shift, float(along_.offset), float(1 / along_.scale)};
+    const EdgeRow edges{columns_.data() + first, y, shift, float(along_.offset),
+                        float(1 / along_.scale)};
     const float w = float(scan_->calibration.code(code));
     if (!device_) {
         const int degree = scan_->calibration.degree;
@@ -81,13 +81,12 @@ void GridCalibration::row(int code, int first, int count, const float* y, float 
         return std::array{float(r[turned_ ? 1 : 0]), float(r[turned_ ? 0 : 1]), float(r[2])};
     };
     const auto plane = [&](int k) { return float(d.edge[k] + w * d.edge_per_code[k]); };
-    const DeviceRow device{
-        .ray_x = ray(d.ray_x),
-        .ray_y = ray(d.ray_y),
-        .radial = {float(d.radial[0]), float(d.radial[1]), float(d.radial[2])},
-        .tangential = {float(d.tangential[0]), float(d.tangential[1])},
-        .plane = {plane(0), plane(1), plane(2)},
-        .plane_distance = float(1 + w * d.offset_per_code)};
+    const DeviceRow device{.ray_x = ray(d.ray_x),
+                           .ray_y = ray(d.ray_y),
+                           .radial = {float(d.radial[0]), float(d.radial[1]), float(d.radial[2])},
+                           .tangential = {float(d.tangential[0]), float(d.tangential[1])},
+                           .plane = {plane(0), plane(1), plane(2)},
+                           .plane_distance = float(1 + w * d.offset_per_code)};
     kernels().deviceRow(device, edges, count, points);
 }
 

@@ -41,12 +41,12 @@ private:
     int column_count_ = 0;
     bool recover_device_ = false;
 
-    bool turned_ = false;          ///< the code changes along the image's x
-    NormalisedInput across_;       ///< of the columns, from the crop's edge
-    NormalisedInput along_;        ///< of y, likewise
-    std::vector<float> columns_;   ///< normalised place of each column
+    bool turned_ = false;         ///< the code changes along the image's x
+    NormalisedInput across_;      ///< of the columns, from the crop's edge
+    NormalisedInput along_;       ///< of y, likewise
+    std::vector<float> columns_;  ///< normalised place of each column
     std::optional<DeviceModel> device_;
-    std::vector<float> terms_;     ///< see PolynomialRow
+    std::vector<float> terms_;  ///< see PolynomialRow
 };
 
 /// Stage "calibrate": the point of every cell that is not empty, from (x, y, code). Points of empty

@@ -222,8 +222,7 @@ DecodeCounts decodeEdges(const StripeImages& images, const PixelPlanes& planes,
     EdgeLocator locator(images, planes, scratch.batch, grid);
     EdgeReader reader(images, planes, result.rising, locator, grid.codes);
     for (int y = 0; y < gaps; ++y) {
-        result.decoded +=
-            reader.readRow(scratch.edge_class.data() + std::size_t(y) * width, y);
+        result.decoded += reader.readRow(scratch.edge_class.data() + std::size_t(y) * width, y);
     }
     locator.flush();
     return result;

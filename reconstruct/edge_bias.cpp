@@ -24,7 +24,6 @@ float edgeSlope(const VertexGrid& grid, std::size_t i, int column) {
     return std::fabs(slope) < kSteepest ? slope : 0.0f;
 }
 
-
 }  // namespace
 
 PairDrift driftWithinPairs(const Pattern& pattern,
@@ -53,8 +52,8 @@ void correctEdgeBias(double lens_blur_px, const PairDrift& drift, int bits, Vert
         for (int column = 0; column < grid.columns; ++column) {
             const std::size_t i = grid.index(code, column);
             if (grid.cell[i] == Cell::empty) continue;
-            const float blur = variance * (grid.gradient_y[i] -
-                                           grid.gradient_x[i] * edgeSlope(grid, i, column));
+            const float blur =
+                variance * (grid.gradient_y[i] - grid.gradient_x[i] * edgeSlope(grid, i, column));
             const float change =
                 pair_drift.column * grid.gradient_x[i] + pair_drift.y * grid.gradient_y[i];
             const float shift = blur + grid.drift_gain[i] * change;

@@ -11,9 +11,10 @@ namespace {
 
 /// Flags of the cells of a row, by column; readable kLargestGap columns beyond either end.
 struct Links {
-    std::array<std::uint8_t*, kLargestGap> along;  ///< continued by the next cell, so many columns on
-    std::uint8_t* across;                          ///< continued in the next row
-    std::uint8_t* from_before;                     ///< continues the row before
+    std::array<std::uint8_t*, kLargestGap>
+        along;                  ///< continued by the next cell, so many columns on
+    std::uint8_t* across;       ///< continued in the next row
+    std::uint8_t* from_before;  ///< continues the row before
 };
 
 /// Goes over the rows of a grid and finds which of its cells continue each other.

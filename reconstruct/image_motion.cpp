@@ -26,10 +26,10 @@ HalfImage blurredHalf(const StripeImages& images, int pair, std::vector<std::uin
     halved.resize(std::size_t(width) * height);
     out.resize(halved.size());
     for (int y = 0; y < height; ++y) {
-        kernels().halveRows({images.patternRow(pair, 2 * y), images.patternRow(pair, 2 * y + 1),
-                             images.complementRow(pair, 2 * y),
-                             images.complementRow(pair, 2 * y + 1)},
-                            width, halved.data() + std::size_t(y) * width);
+        kernels().halveRows(
+            {images.patternRow(pair, 2 * y), images.patternRow(pair, 2 * y + 1),
+             images.complementRow(pair, 2 * y), images.complementRow(pair, 2 * y + 1)},
+            width, halved.data() + std::size_t(y) * width);
     }
     const auto row = [&](int y) {
         return halved.data() + std::size_t(std::clamp(y, 0, height - 1)) * width;
@@ -188,7 +188,7 @@ private:
     }
 
     RegistrationPixels pixels() const {
-        return {int(scratch_.level.size()),  scratch_.level.data(),   scratch_.gradient_x.data(),
+        return {int(scratch_.level.size()), scratch_.level.data(),   scratch_.gradient_x.data(),
                 scratch_.gradient_y.data(), scratch_.lever_x.data(), scratch_.lever_y.data()};
     }
     WarpedPixels warped() const {

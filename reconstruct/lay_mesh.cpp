@@ -34,7 +34,8 @@ int countTriangles(const VertexGrid& grid, const Quads& quads, int code) {
     const Extent quad = quadExtent(grid, code);
     const std::size_t row = grid.index(code, 0);
     int count = 0;
-    for (int x = quad.first; x < quad.end; ++x) count += quads.first[row + x] + quads.second[row + x];
+    for (int x = quad.first; x < quad.end; ++x)
+        count += quads.first[row + x] + quads.second[row + x];
     return count;
 }
 
@@ -101,8 +102,7 @@ void layMesh(const ScanDescription& scan, const VertexGrid& grid, const PointPla
                 vertex->ny = normals.y[i];
                 vertex->nz = normals.z[i];
                 texture.set(x, grid.y[i], *vertex);
-                vertex->quality =
-                    grid.cell[i] == Cell::filled ? 0.0f : scratch.quality[x - first];
+                vertex->quality = grid.cell[i] == Cell::filled ? 0.0f : scratch.quality[x - first];
                 ++vertex;
             }
         }

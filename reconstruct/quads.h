@@ -15,8 +15,8 @@ namespace facescan {
 ///      |     |
 ///     sw --- se
 ///
-/// It is cut along nw–se (falling) or ne–sw. Of its two triangles, "first" is the one with the north
-/// edge. A quad of three cells is cut so that they form one of the two.
+/// It is cut along nw–se (falling) or ne–sw. Of its two triangles, "first" is the one with the
+/// north edge. A quad of three cells is cut so that they form one of the two.
 struct Quads {
     std::vector<std::uint8_t> first;    ///< by cell: 1 where the quad has this triangle
     std::vector<std::uint8_t> second;   ///< likewise

@@ -3,11 +3,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/median.h"
 
 namespace facescan {
 namespace {
+
+/// Leaves a flag only where the other one is.
+FACESCAN_KERNEL void keepCommon(const std::uint8_t* __restrict other, int count,
+                                std::uint8_t* __restrict flags) {
+#pragma GCC ivdep
+    for (int x = 0; x < count; ++x) flags[x] &= other[x];
+}
+
+/// Flags where a cell and its four neighbours are measured.
+FACESCAN_KERNEL void markSurrounded(const std::uint8_t* __restrict above,
+                                    const std::uint8_t* __restrict here,
+                                    const std::uint8_t* __restrict below, int count,
+                                    std::uint8_t* __restrict flags) {
+#pragma GCC ivdep
+    for (int x = 0; x < count; ++x) {
+        flags[x] = here[x] & here[x - 1] & here[x + 1] & above[x] & below[x];
+    }
+}
 
 /// Marks the cells that have their four neighbours and lie near the middle between them: a window
 /// made of such cells alone has no jump and no outlier.
@@ -26,10 +45,8 @@ void markRegularCells(const VertexGrid& grid, const RegularityLimits& limits,
         const std::size_t row = grid.index(code, 0);
         const std::uint8_t* m = scratch.measured.data() + row;
         std::uint8_t* regular = scratch.regular.data() + row;
-        for (int x = first; x < end; ++x) {
-            regular[x] = m[x] & m[x - 1] & m[x + 1] & m[x - std::ptrdiff_t(columns)] &
-                         m[x + std::ptrdiff_t(columns)];
-        }
+        markSurrounded(m + first - columns, m + first, m + first + columns, end - first,
+                       regular + first);
         const float* y = grid.y.data() + row;
         kernels().markRegular({y - columns, y, y + columns, grid.contrast.data() + row}, limits,
                               first, end, regular);
@@ -53,14 +70,13 @@ void markCovered(const VertexGrid& grid, const Window& window,
         // Down the window's columns first, then along its rows.
         std::fill(row.begin() + first - reach, row.begin() + end + reach, std::uint8_t(1));
         for (int c = code - window.half_codes; c <= code + window.half_codes; ++c) {
-            const std::uint8_t* flags = regular.data() + grid.index(c, 0);
-            for (int x = first - reach; x < end + reach; ++x) row[x] &= flags[x];
+            keepCommon(regular.data() + grid.index(c, first - reach), end - first + 2 * reach,
+                       row.data() + first - reach);
         }
         std::uint8_t* out = covered.data() + grid.index(code, 0);
         std::fill(out + first, out + end, std::uint8_t(1));
         for (int dx = -reach; dx <= reach; ++dx) {
-            const std::uint8_t* flags = row.data() + dx;
-            for (int x = first; x < end; ++x) out[x] &= flags[x];
+            keepCommon(row.data() + first + dx, end - first, out + first);
         }
     }
 }
@@ -77,6 +93,7 @@ public:
     RegularityLimits regularity() const {
         return {sigmas_ * floor_px_, sigmas_ * noise_.grey_levels};
     }
+    float noiseGreyLevels() const { return noise_.grey_levels; }
     float noisePx(float contrast) const { return noise_.pixels(contrast); }
     float cutoffPx(float contrast) const {
         return std::min(largest_px_, sigmas_ * std::max(floor_px_, noisePx(contrast)));
@@ -89,40 +106,89 @@ private:
     float largest_px_;
 };
 
-/// Fills `smoothed` where a window's fixed filter serves, and lists the other measured cells by
-/// window.
-void filterRegularCells(const VertexGrid& grid, const NoiseLimits& limits, SmoothScratch& scratch,
-                        std::vector<float>& smoothed) {
-    scratch.filtered.resize(grid.columns * kWindows.size());
-    for (auto& requests : scratch.irregular) requests.clear();
-    std::array<bool, kWindows.size()> done;
-    for (int code = 1; code < grid.codes; ++code) {
-        done.fill(false);
-        for (int column = grid.extent[code].first; column < grid.extent[code].end; ++column) {
-            const std::size_t i = grid.index(code, column);
-            if (!scratch.measured[i]) continue;
-            const int window = windowFor(limits.noisePx(grid.contrast[i]));
-            if (!scratch.covered[window][i]) {
-                scratch.irregular[window].push_back(
-                    {std::uint16_t(code), std::uint16_t(column), limits.cutoffPx(grid.contrast[i])});
-                continue;
-            }
-            float* filtered = scratch.filtered.data() + std::size_t(window) * grid.columns;
-            if (!done[window]) {
-                const Window& shape = kWindows[window];
-                const int first = std::max(grid.extent[code].first, shape.half_columns);
-                const int end =
-                    std::min(grid.extent[code].end, grid.columns - shape.half_columns);
-                kernels().filterRow(
-                    grid.y.data() + grid.index(code, 0), grid.columns,
-                    {shape.half_codes, shape.half_columns, fixedWeights(window).data()}, first,
-                    end, filtered);
-                done[window] = true;
-            }
-            smoothed[i] = filtered[column];
-        }
+using WindowCounts = std::array<int, kWindows.size()>;
+
+/// Flags the measured cells that the window which serves for them covers, and counts them.
+FACESCAN_KERNEL WindowCounts
+markRegular(const std::array<const std::uint8_t*, kWindows.size()>& covered,
+            const std::uint8_t* __restrict measured, const std::uint8_t* __restrict window_of,
+            int count, std::uint8_t* __restrict regular) {
+    const std::uint8_t* __restrict narrow = covered[0];
+    const std::uint8_t* __restrict middle = covered[1];
+    const std::uint8_t* __restrict wide = covered[2];
+#pragma GCC ivdep
+    for (int x = 0; x < count; ++x) {
+        const std::uint8_t wider = window_of[x] == 1 ? middle[x] : wide[x];
+        regular[x] = (window_of[x] == 0 ? narrow[x] : wider) & measured[x];
+    }
+    WindowCounts wanted{};
+    for (int window = 0; window < int(wanted.size()); ++window) {
+        int sum = 0;
+        for (int x = 0; x < count; ++x) sum += regular[x] & (window_of[x] == window);
+        wanted[window] = sum;
+    }
+    return wanted;
+}
+
+/// Takes what a window's filter made of a row where the window is the cells' own.
+FACESCAN_KERNEL void takeFiltered(const std::uint8_t* __restrict window_of,
+                                  const std::uint8_t* __restrict regular, int window,
+                                  const float* __restrict filtered, int count,
+                                  float* __restrict smoothed) {
+    for (int x = 0; x < count; ++x) {
+        const bool take = regular[x] && window_of[x] == window;
+        smoothed[x] = take ? filtered[x] : smoothed[x];
     }
 }
+
+/// Smooths the cells for which a window's fixed filter serves, and lists the other measured cells
+/// by window.
+class RegularFilter {
+public:
+    RegularFilter(const VertexGrid& grid, const NoiseLimits& limits, SmoothScratch& scratch)
+        : grid_(grid), limits_(limits), scratch_(scratch) {
+        for (auto& requests : scratch.irregular) requests.clear();
+        scratch.filtered.resize(grid.columns);
+        scratch.window_of.resize(grid.columns);
+        scratch.row.resize(grid.columns);
+    }
+
+    void filterRow(int code, std::vector<float>& smoothed) {
+        const auto [first, end] = grid_.extent[code];
+        const int count = end - first;
+        if (count <= 0) return;
+        const std::size_t i = grid_.index(code, first);
+        std::uint8_t* window_of = scratch_.window_of.data();
+        std::uint8_t* regular = scratch_.row.data();
+        kernels().chooseWindows(&grid_.contrast[i], limits_.noiseGreyLevels(), count, window_of);
+        const std::uint8_t* measured = &scratch_.measured[i];
+        const WindowCounts wanted =
+            markRegular({&scratch_.covered[0][i], &scratch_.covered[1][i], &scratch_.covered[2][i]},
+                        measured, window_of, count, regular);
+        for (int window = 0; window < int(kWindows.size()); ++window) {
+            if (wanted[window] == 0) continue;
+            const Window& shape = kWindows[window];
+            // Nearer to the border no window is covered.
+            const int begin = std::max(shape.half_columns - first, 0);
+            const int stop = std::min(count, grid_.columns - shape.half_columns - first);
+            kernels().filterRow(&grid_.y[i], grid_.columns,
+                                {shape.half_codes, shape.half_columns, fixedWeights(window).data()},
+                                begin, stop, scratch_.filtered.data());
+            takeFiltered(window_of, regular, window, scratch_.filtered.data(), count, &smoothed[i]);
+        }
+        for (int x = 0; x < count; ++x) {
+            if (measured[x] == regular[x]) continue;
+            scratch_.irregular[window_of[x]].push_back({std::uint16_t(code),
+                                                        std::uint16_t(first + x),
+                                                        limits_.cutoffPx(grid_.contrast[i + x])});
+        }
+    }
+
+private:
+    const VertexGrid& grid_;
+    const NoiseLimits& limits_;
+    SmoothScratch& scratch_;
+};
 
 }  // namespace
 
@@ -138,10 +204,10 @@ EdgeNoise estimateNoise(const VertexGrid& grid, std::vector<float>& scratch) {
         const int first = grid.extent[code].first;
         for (int column = first + code % step; column < grid.extent[code].end; column += step) {
             const std::size_t i = grid.index(code, column);
-            const bool complete =
-                grid.cell[i] == Cell::measured && grid.cell[i + row] == Cell::measured &&
-                grid.cell[i + 2 * row] == Cell::measured &&
-                grid.cell[i + 3 * row] == Cell::measured;
+            const bool complete = grid.cell[i] == Cell::measured &&
+                                  grid.cell[i + row] == Cell::measured &&
+                                  grid.cell[i + 2 * row] == Cell::measured &&
+                                  grid.cell[i + 3 * row] == Cell::measured;
             if (!complete) continue;
             const float third =
                 grid.y[i + 3 * row] - grid.y[i] - 3 * (grid.y[i + 2 * row] - grid.y[i + row]);
@@ -161,7 +227,8 @@ int smoothEdges(const Options& options, const EdgeNoise& noise, SmoothScratch& s
     }
     scratch.planes.assign(grid);
     grid.scratch = grid.y;
-    filterRegularCells(grid, limits, scratch, grid.scratch);
+    RegularFilter filter(grid, limits, scratch);
+    for (int code = 1; code < grid.codes; ++code) filter.filterRow(code, grid.scratch);
 
     int emptied = 0;
     // All fits read the grid as it was; false measurements leave it at the end.
@@ -175,7 +242,8 @@ int smoothEdges(const Options& options, const EdgeNoise& noise, SmoothScratch& s
     for (std::size_t window = 0; window < kWindows.size(); ++window) {
         const std::vector<FitRequest>& requests = scratch.irregular[window];
         scratch.fits.resize(requests.size());
-        robustFits(scratch.planes, int(window), kWindows[window].half_codes, requests, scratch.fits);
+        robustFits(scratch.planes, int(window), kWindows[window].half_codes, requests,
+                   scratch.fits);
         scratch.own_row.clear();
         for (std::size_t n = 0; n < requests.size(); ++n) {
             constexpr float kLittleNoise = 0.15f;  // px

@@ -215,8 +215,7 @@ SurfaceMiddle findMiddle(const VertexGrid& grid, const PointPlanes& points) {
 
 float millimetresPerPixel(const GridCalibration& calibration, const SurfaceMiddle& middle) {
     if (middle.code == 0) return 0;
-    const Vector slope =
-        toVector(calibration.slopeAt(middle.code, middle.column, middle.place.y));
+    const Vector slope = toVector(calibration.slopeAt(middle.code, middle.column, middle.place.y));
     return std::sqrt(dot(slope, slope));
 }
 
@@ -239,9 +238,7 @@ void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& g
         const std::size_t below = i + grid.columns;
         std::uint8_t* known = planes.known.data() + i;
         for (int x = 0; x < count; ++x) {
-            const auto measured = [&](std::size_t n) {
-                return grid.cell[n + x] == Cell::measured;
-            };
+            const auto measured = [&](std::size_t n) { return grid.cell[n + x] == Cell::measured; };
             known[x] = (grid.cell[i + x] != Cell::empty) & measured(above) &
                        measured(above - kReach) & measured(above + kReach) & measured(below) &
                        measured(below - kReach) & measured(below + kReach);
@@ -249,11 +246,10 @@ void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& g
         const float* y = grid.y.data() + i;
         calibration.row(code, first, count, y, 0.5f, rowFrom(planes.ahead, 0));
         calibration.row(code, first, count, y, -0.5f, rowFrom(planes.behind, 0));
-        kernels().referencePlanes({rowFrom(points, above), rowFrom(points, below),
-                                   rowFrom(planes.ahead, 0), rowFrom(planes.behind, 0), kReach,
-                                   kEdgeOn},
-                                  count,
-                                  {rowFrom(planes.normal, i), planes.mm_per_px.data() + i, known});
+        kernels().referencePlanes(
+            {rowFrom(points, above), rowFrom(points, below), rowFrom(planes.ahead, 0),
+             rowFrom(planes.behind, 0), kReach, kEdgeOn},
+            count, {rowFrom(planes.normal, i), planes.mm_per_px.data() + i, known});
     }
 }
 

@@ -54,8 +54,8 @@ struct MeasuredSurface {
     const ReferencePlanes& planes;
 };
 
-/// The equations of a pair's vertices for the six unknowns of a rigid motion: how far each lies from
-/// the finest pair's surface, mm, and what the motion does to that.
+/// The equations of a pair's vertices for the six unknowns of a rigid motion: how far each lies
+/// from the finest pair's surface, mm, and what the motion does to that.
 struct AlignmentEquations {
     std::array<std::vector<float>, 6> row;
     std::vector<float> distance;

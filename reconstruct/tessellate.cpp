@@ -66,8 +66,8 @@ class FanFilter {
 public:
     FanFilter(const VertexGrid& grid, Quads& quads) : grid_(grid), quads_(quads) {}
 
-    /// What is dropped at one vertex can loosen the fans of its neighbours, which are then looked at
-    /// again.
+    /// What is dropped at one vertex can loosen the fans of its neighbours, which are then looked
+    /// at again.
     void dropLooseFans(TessellateScratch& scratch) {
         scratch.again.clear();
         for (int code = 1; code < grid_.codes; ++code) {
@@ -149,7 +149,8 @@ private:
         std::uint8_t bits() const {
             unsigned bits = 0;
             for (int q = 0; q < 4; ++q) {
-                for (int h = 0; h < 2; ++h) bits |= unsigned(quad[q].has(half[q][h])) << (2 * q + h);
+                for (int h = 0; h < 2; ++h)
+                    bits |= unsigned(quad[q].has(half[q][h])) << (2 * q + h);
             }
             return std::uint8_t(bits);
         }

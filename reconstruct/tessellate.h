@@ -12,12 +12,12 @@ namespace facescan {
 
 /// Scratch memory of tessellate.
 struct TessellateScratch {
-    std::vector<std::uint8_t> present;   ///< by cell
-    std::vector<float> first_longest;    ///< by quad: square of the triangle's longest edge, mm²
+    std::vector<std::uint8_t> present;  ///< by cell
+    std::vector<float> first_longest;   ///< by quad: square of the triangle's longest edge, mm²
     std::vector<float> second_longest;
-    std::vector<std::int32_t> lengths;   ///< of one row
-    std::vector<std::uint8_t> suspect;   ///< of one row
-    std::vector<std::uint32_t> again;    ///< cells whose fans are to be looked at once more
+    std::vector<std::int32_t> lengths;  ///< of one row
+    std::vector<std::uint8_t> suspect;  ///< of one row
+    std::vector<std::uint32_t> again;   ///< cells whose fans are to be looked at once more
 };
 
 /// Connects neighbouring cells of the grid to triangles: along the shorter diagonal of four cells,

@@ -37,7 +37,8 @@ void correctRow(const std::uint8_t* p, const std::uint8_t* c, int width, const G
 }
 
 /// Sums of kDiameter neighbours along the row.
-void sumAlongRow(const std::uint16_t* __restrict padded, int width, std::uint16_t* __restrict sums) {
+void sumAlongRow(const std::uint16_t* __restrict padded, int width,
+                 std::uint16_t* __restrict sums) {
     for (int x = 0; x < width; ++x) {
         sums[x] = std::uint16_t(padded[x] + padded[x + 1] + padded[x + 2] + padded[x + 3] +
                                 padded[x + 4]);

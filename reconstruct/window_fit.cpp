@@ -1,5 +1,6 @@
 #include "reconstruct/window_fit.h"
 
+#include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/normal_equations.h"
 
@@ -30,6 +31,15 @@ std::vector<float> computeFixedWeights(const Window& window) {
     return weights;
 }
 
+FACESCAN_KERNEL void copyMeasured(const Cell* __restrict cell, const float* __restrict y, int count,
+                                  float* __restrict to_y, float* __restrict present) {
+#pragma GCC ivdep
+    for (int x = 0; x < count; ++x) {
+        to_y[x] = cell[x] == Cell::measured ? y[x] : 0.0f;
+        present[x] = cell[x] == Cell::measured ? 1.0f : 0.0f;
+    }
+}
+
 constexpr int kMarginCodes = kWindows.back().half_codes;
 constexpr int kMarginColumns = kWindows.back().half_columns;
 /// A span that starts at the last column reads as many columns beyond it.
@@ -53,11 +63,10 @@ void FitPlanes::assign(const VertexGrid& grid) {
         const std::size_t row = grid.index(code, 0);
         float* row_y = y.data() + index(code, 0);
         float* row_present = present.data() + index(code, 0);
-        for (int x = grid.extent[code].first; x < grid.extent[code].end; ++x) {
-            const bool measured = grid.cell[row + x] == Cell::measured;
-            row_y[x] = measured ? grid.y[row + x] : 0.0f;
-            row_present[x] = measured ? 1.0f : 0.0f;
-        }
+        const auto [first, end] = grid.extent[code];
+        if (first >= end) continue;
+        copyMeasured(&grid.cell[row + first], &grid.y[row + first], end - first, row_y + first,
+                     row_present + first);
     }
 }
 

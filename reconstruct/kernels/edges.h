@@ -15,9 +15,8 @@ FACESCAN_INLINE L ratio(L d, L s) {
 template <typename Lanes>
 FACESCAN_KERNEL void locateEdges(EdgeBatch& batch, float frames) {
     forLanes<Lanes>(0, batch.count, [&]<typename L>(int i) FACESCAN_INLINE_LAMBDA {
-        const auto at = [i](const auto& column) FACESCAN_INLINE_LAMBDA {
-            return L::load(column.data() + i);
-        };
+        const auto at = [i](const auto& column)
+                            FACESCAN_INLINE_LAMBDA { return L::load(column.data() + i); };
         const L d1 = at(batch.difference[1]);
         const L d2 = at(batch.difference[2]);
         const L n0 = ratio(at(batch.difference[0]), at(batch.sum[0]));
@@ -31,8 +30,8 @@ FACESCAN_KERNEL void locateEdges(EdgeBatch& batch, float frames) {
         const L mean = (L(0.5f) * (n0 + n3) + n1 + n2) * L(1.0f / 3.0f);
         const L slope = (L(0.75f) * (n3 - n0) + L(0.5f) * (n2 - n1)) * L(1.0f / 2.75f);
         const L four = L(0.5f) - mean * reciprocal(slope);
-        const auto agree = L::Mask::load(batch.inside.data() + i) &
-                           (L(0.0f) < slope * (n2 - n1)) & (abs(four - inner) < L(0.5f));
+        const auto agree = L::Mask::load(batch.inside.data() + i) & (L(0.0f) < slope * (n2 - n1)) &
+                           (abs(four - inner) < L(0.5f));
         select(agree, four, inner).store(batch.place.data() + i);
 
         const L contrast = L(0.25f) * abs(d1 - d2);

@@ -21,7 +21,8 @@ enum EdgeClass : std::uint8_t {
     kNoEdge,
     kRisingEdge,     ///< the next stripe below
     kFallingEdge,    ///< the stripe before below
-    kAmbiguousEdge,  ///< some other: the two pixels disagree in more than one pair, or in the wrong one
+    kAmbiguousEdge,  ///< some other: the two pixels disagree in more than one pair, or in the wrong
+                     ///< one
 };
 struct EdgeCounts {
     int found = 0;  ///< of any class
@@ -32,7 +33,7 @@ struct EdgeCounts {
 /// Stripe edges whose places are to be found, side by side. Rows are counted from the one before
 /// the edge's gap: the edge lies between the rows 1 and 2.
 struct EdgeBatch {
-    static constexpr int kSize = 256;
+    static constexpr int kSize = 48;
     template <typename T>
     using Column = std::array<T, kSize>;
 
@@ -59,7 +60,8 @@ struct EdgeBatch {
     Column<float> drift_gain;
 };
 
-/// Cells of one row that lie this many columns apart, with nothing between, can still be one surface.
+/// Cells of one row that lie this many columns apart, with nothing between, can still be one
+/// surface.
 inline constexpr int kLargestGap = 3;
 
 /// When neighbouring edges are one surface, px: along a stripe, by the change of place for each
@@ -204,15 +206,15 @@ struct WarpedPixels {
     std::int32_t* y;
     float* part_x;  ///< … and how far the place lies beyond it
     float* part_y;
-    float* weight;  ///< 1, or 0 where the place is outside
+    float* weight;                       ///< 1, or 0 where the place is outside
     std::array<std::int32_t*, 4> level;  ///< at (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)
 };
 
 struct RegistrationState {
-    float unit;       ///< brings levels near 0 … 1
-    float gain;       ///< current = gain · reference + offset
+    float unit;  ///< brings levels near 0 … 1
+    float gain;  ///< current = gain · reference + offset
     float offset;
-    float per_lever;  ///< brings the levers' coefficients to similar size
+    float per_lever;       ///< brings the levers' coefficients to similar size
     float inverse_cutoff;  ///< of the robust weights; 0 weighs all alike
 };
 
@@ -304,8 +306,8 @@ struct FitSpan {
     int half_columns = 0;
     float per_code = 1;  ///< scale of the places along the codes …
     float per_column = 1;
-    float fewest = 0;  ///< cells that a fit needs
-    Lane<float> cutoff;  ///< px
+    float fewest = 0;           ///< cells that a fit needs
+    Lane<float> cutoff;         ///< px
     Lane<std::uint8_t> wanted;  ///< 1 where a fit is asked for; elsewhere the result is void
 
     Lane<float> correction;         ///< result: the surface at the cell, px from the cell
@@ -318,9 +320,9 @@ struct Kernels {
     /// Prepares a row of pixels for its first pair.
     void (*startRow)(int width, const PixelRow& row);
 
-    /// Adds a pair of frames to a row of pixels. A pair's sign at a pixel is that of P − C, averaged
-    /// over the neighbours along the row with weights 1 2 1; it is the next bit of the Gray
-    /// codeword, and the stripe number its binary form.
+    /// Adds a pair of frames to a row of pixels. A pair's sign at a pixel is that of P − C,
+    /// averaged over the neighbours along the row with weights 1 2 1; it is the next bit of the
+    /// Gray codeword, and the stripe number its binary form.
     void (*addPair)(const std::uint8_t* pattern, const std::uint8_t* complement, int width,
                     const PixelRow& row);
 
@@ -332,17 +334,16 @@ struct Kernels {
     EdgeCounts (*classifyEdges)(const std::uint16_t* stripe_above,
                                 const std::uint16_t* stripe_below,
                                 const std::uint8_t* modulation_above,
-                                const std::uint8_t* modulation_below, int min_modulation,
-                                int width, std::uint8_t* edge_class);
+                                const std::uint8_t* modulation_below, int min_modulation, int width,
+                                std::uint8_t* edge_class);
 
     /// Locates the edges of a batch: see decodeEdges().
     void (*locateEdges)(EdgeBatch& batch, float frames);
 
-    /// Compares the places y of a row with those to their right and in the next row. The row is read
-    /// kLargestGap columns beyond its end.
-    void (*compareNeighbours)(const float* y, const float* next_row,
-                              const ContinuityLimits& limits, int first, int end,
-                              const NeighbourRow& near);
+    /// Compares the places y of a row with those to their right and in the next row. The row is
+    /// read kLargestGap columns beyond its end.
+    void (*compareNeighbours)(const float* y, const float* next_row, const ContinuityLimits& limits,
+                              int first, int end, const NeighbourRow& near);
 
     /// The points of `count` edges of a row, by the device or by polynomials.
     void (*deviceRow)(const DeviceRow& device, const EdgeRow& row, int count,
@@ -375,8 +376,8 @@ struct Kernels {
     void (*blurRows)(const std::array<const std::uint16_t*, 3>& rows, int width,
                      std::uint16_t* blurred);
 
-    /// Cuts `count` quads into triangles: see tessellate(). `sign` is 1 where y rises with the code,
-    /// else −1.
+    /// Cuts `count` quads into triangles: see tessellate(). `sign` is 1 where y rises with the
+    /// code, else −1.
     void (*cutQuads)(const QuadRows& rows, float sign, int count, const QuadCuts& cuts);
 
     /// Leaves a flag only where the value is below the limit.
@@ -386,13 +387,13 @@ struct Kernels {
     void (*triangleNormals)(const QuadRows& rows, const QuadFlags& flags, int count,
                             const TriangleRows& normals);
 
-    /// The unit normals of `count` vertices: the sum of their triangles', times `side`; −Z where that
-    /// is nothing.
+    /// The unit normals of `count` vertices: the sum of their triangles', times `side`; −Z where
+    /// that is nothing.
     void (*vertexNormals)(const VertexCorners& corners, float side, int count,
                           const PointRow& normals);
 
-    /// The quality of `count` measured vertices: 1 for an edge without noise, ½ where the noise is a
-    /// fifth of a pixel.
+    /// The quality of `count` measured vertices: 1 for an edge without noise, ½ where the noise is
+    /// a fifth of a pixel.
     void (*vertexQuality)(const float* contrast, float noise_grey_levels, int count,
                           float* quality);
 
@@ -400,6 +401,10 @@ struct Kernels {
     /// in its row and in its column. All rows are read one column beyond first … end − 1.
     void (*markRegular)(const RegularityRows& rows, const RegularityLimits& limits, int first,
                         int end, std::uint8_t* regular);
+
+    /// The index into kWindows that serves for the noise of each of `count` cells.
+    void (*chooseWindows)(const float* contrast, float noise_grey_levels, int count,
+                          std::uint8_t* window);
 
     /// Filters the columns first … end − 1 of the row `middle_row` of a grid of that many columns.
     void (*filterRow)(const float* middle_row, int columns, const FilterWindow& window, int first,

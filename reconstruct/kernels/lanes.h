@@ -113,15 +113,9 @@ struct VectorLanes {
         std::memcpy(p, &value, sizeof value);
     }
 
-    friend FACESCAN_INLINE VectorLanes operator+(VectorLanes a, VectorLanes b) {
-        return a.v + b.v;
-    }
-    friend FACESCAN_INLINE VectorLanes operator-(VectorLanes a, VectorLanes b) {
-        return a.v - b.v;
-    }
-    friend FACESCAN_INLINE VectorLanes operator*(VectorLanes a, VectorLanes b) {
-        return a.v * b.v;
-    }
+    friend FACESCAN_INLINE VectorLanes operator+(VectorLanes a, VectorLanes b) { return a.v + b.v; }
+    friend FACESCAN_INLINE VectorLanes operator-(VectorLanes a, VectorLanes b) { return a.v - b.v; }
+    friend FACESCAN_INLINE VectorLanes operator*(VectorLanes a, VectorLanes b) { return a.v * b.v; }
     friend FACESCAN_INLINE Mask operator<(VectorLanes a, VectorLanes b) { return {a.v < b.v}; }
     friend FACESCAN_INLINE Mask operator<=(VectorLanes a, VectorLanes b) { return {a.v <= b.v}; }
     friend FACESCAN_INLINE VectorLanes select(Mask m, VectorLanes a, VectorLanes b) {

@@ -48,9 +48,8 @@ FACESCAN_KERNEL void referencePlanes(const ReferenceRows& rows, int count,
         const Vector below_left = Vector::load(rows.below, i - rows.reach);
         const Vector below_right = Vector::load(rows.below, i + rows.reach);
         const Vector along = (above_right - above_left) + (below_right - below_left);
-        const Vector across =
-            (Vector::load(rows.below, i) - Vector::load(rows.above, i)) +
-            (below_right - above_right) + (below_left - above_left);
+        const Vector across = (Vector::load(rows.below, i) - Vector::load(rows.above, i)) +
+                              (below_right - above_right) + (below_left - above_left);
         const Vector normal = cross(along, across);
         const L square = dot(normal, normal);
         constexpr float kSmallest = 1e-20f;
@@ -66,8 +65,8 @@ FACESCAN_KERNEL void referencePlanes(const ReferenceRows& rows, int count,
 
 template <typename Lanes>
 FACESCAN_KERNEL void compensateRow(const ConstPointRow& points,
-                                   const ConstReferencePlaneRow& planes,
-                                   const MotionAbout& motion, int count, float* shift) {
+                                   const ConstReferencePlaneRow& planes, const MotionAbout& motion,
+                                   int count, float* shift) {
     forLanes<Lanes>(0, count, [&]<typename L>(int i) FACESCAN_INLINE_LAMBDA {
         using Vector = Vector3<L>;
         const auto all = [](const std::array<float, 3>& v) FACESCAN_INLINE_LAMBDA {
@@ -234,9 +233,8 @@ FACESCAN_KERNEL void blurRows(const std::array<const std::uint16_t*, 3>& rows, i
     const std::uint16_t* __restrict above = rows[0];
     const std::uint16_t* __restrict here = rows[1];
     const std::uint16_t* __restrict below = rows[2];
-    const auto down = [&](int x) FACESCAN_INLINE_LAMBDA {
-        return above[x] + 2 * here[x] + below[x];
-    };
+    const auto down = [&](int x)
+                          FACESCAN_INLINE_LAMBDA { return above[x] + 2 * here[x] + below[x]; };
     blurred[0] = std::uint16_t(3 * down(0) + down(std::min(1, width - 1)));
 #pragma GCC ivdep
     for (int x = 1; x < width - 1; ++x) {

@@ -24,8 +24,8 @@ FACESCAN_KERNEL void startRow(int width, const PixelRow& row) {
 FACESCAN_INLINE void accumulate(const std::uint8_t* __restrict pattern,
                                 const std::uint8_t* __restrict complement, int count,
                                 std::int16_t* __restrict difference,
-                                std::uint16_t* __restrict brightness,
-                                std::uint8_t* __restrict low, std::uint8_t* __restrict high) {
+                                std::uint16_t* __restrict brightness, std::uint8_t* __restrict low,
+                                std::uint8_t* __restrict high) {
 #pragma GCC ivdep
     for (int x = 0; x < count; ++x) {
         const std::uint8_t p = pattern[x];

@@ -16,8 +16,8 @@ FACESCAN_KERNEL void deviceRow(const DeviceRow& d, const EdgeRow& row, int count
         const L x = L(d.ray_x[0]) * across + L(d.ray_x[1]) * along + L(d.ray_x[2]);
         const L y = L(d.ray_y[0]) * across + L(d.ray_y[1]) * along + L(d.ray_y[2]);
         const L r2 = x * x + y * y;
-        const L stretch = L(1.0f) + r2 * (L(d.radial[0]) +
-                                          r2 * (L(d.radial[1]) + r2 * L(d.radial[2])));
+        const L stretch =
+            L(1.0f) + r2 * (L(d.radial[0]) + r2 * (L(d.radial[1]) + r2 * L(d.radial[2])));
         const L p1(d.tangential[0]);
         const L p2(d.tangential[1]);
         const L xy = L(2.0f) * x * y;

@@ -9,7 +9,8 @@ const Kernels& portableKernels() {
 }
 
 const Kernels& kernels() {
-    static const Kernels& chosen = neonKernels() && sizeof(void*) == 4 ? *neonKernels() : portableKernels();
+    static const Kernels& chosen =
+        neonKernels() && sizeof(void*) == 4 ? *neonKernels() : portableKernels();
     return chosen;
 }
 

@@ -16,9 +16,8 @@ FACESCAN_KERNEL void cutQuads(const QuadRows& rows, float sign, int count, const
             const Vector d = a - b;
             return dot(d, d);
         };
-        const auto pick = [](Mask m, Mask a, Mask b) FACESCAN_INLINE_LAMBDA {
-            return (m & a) | (b & !m);
-        };
+        const auto pick = [](Mask m, Mask a, Mask b)
+                              FACESCAN_INLINE_LAMBDA { return (m & a) | (b & !m); };
         const Vector nw = Vector::load(rows.north, i);
         const Vector ne = Vector::load(rows.north, i + 1);
         const Vector sw = Vector::load(rows.south, i);
@@ -33,14 +32,12 @@ FACESCAN_KERNEL void cutQuads(const QuadRows& rows, float sign, int count, const
         const Mask has_sw = Mask::load(rows.south_present + i);
         const Mask has_se = Mask::load(rows.south_present + i + 1);
         // Three cells are cut so that they form one of the two triangles.
-        const Mask falling =
-            has_nw & has_se & ((falling_cut <= rising_cut) | !has_ne | !has_sw);
+        const Mask falling = has_nw & has_se & ((falling_cut <= rising_cut) | !has_ne | !has_sw);
 
         // Twice the area in the image, for triangles with a west and with an east side: positive
         // where the camera sees the front.
         constexpr float kSmallest = 1e-3f;
-        const L down_west =
-            L(sign) * (L::load(rows.south_y + i) - L::load(rows.north_y + i));
+        const L down_west = L(sign) * (L::load(rows.south_y + i) - L::load(rows.north_y + i));
         const L down_east =
             L(sign) * (L::load(rows.south_y + i + 1) - L::load(rows.north_y + i + 1));
         const Mask west = L(kSmallest) < down_west;
@@ -52,10 +49,10 @@ FACESCAN_KERNEL void cutQuads(const QuadRows& rows, float sign, int count, const
         falling.store(cuts.falling + i);
 
         const L cut = select(falling, falling_cut, rising_cut);
-        const L first_longest = largerOf(largerOf(square(nw, ne), cut),
-                                         select(falling, east_side, west_side));
-        const L second_longest = largerOf(largerOf(square(sw, se), cut),
-                                          select(falling, west_side, east_side));
+        const L first_longest =
+            largerOf(largerOf(square(nw, ne), cut), select(falling, east_side, west_side));
+        const L second_longest =
+            largerOf(largerOf(square(sw, se), cut), select(falling, west_side, east_side));
         select(first, first_longest, L(0.0f)).store(cuts.first_longest + i);
         select(second, second_longest, L(0.0f)).store(cuts.second_longest + i);
         const auto length = [](L squared) FACESCAN_INLINE_LAMBDA {

@@ -36,6 +36,7 @@ constexpr Kernels kernelsOf() {
         .vertexNormals = vertexNormals<Lanes>,
         .vertexQuality = vertexQuality<Lanes>,
         .markRegular = markRegular<Lanes>,
+        .chooseWindows = chooseWindows<Lanes>,
         .filterRow = filterRow<Lanes>,
         .fitWindows = fitWindows<Lanes>,
     };

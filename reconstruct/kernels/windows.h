@@ -3,6 +3,7 @@
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/kernels/lanes.h"
+#include "reconstruct/window.h"
 
 namespace facescan {
 
@@ -15,10 +16,27 @@ FACESCAN_KERNEL void markRegular(const RegularityRows& rows, const RegularityLim
         const L along = twice - L::load(rows.here + x - 1) - L::load(rows.here + x + 1);
         const L across = twice - L::load(rows.before + x) - L::load(rows.after + x);
         const L contrast = L::load(rows.contrast + x);
-        const L limit = L(2.0f) * largerOf(L(limits.tolerance_px) * contrast,
-                                           L(limits.noise_grey_levels));
+        const L limit =
+            L(2.0f) * largerOf(L(limits.tolerance_px) * contrast, L(limits.noise_grey_levels));
         const auto near = (abs(along) * contrast < limit) & (abs(across) * contrast < limit);
         (L::Mask::load(regular + x) & near).store(regular + x);
+    });
+}
+
+/// The index of the window that serves for each cell's noise.
+template <typename Lanes>
+FACESCAN_KERNEL void chooseWindows(const float* contrast, float noise_grey_levels, int count,
+                                   std::uint8_t* window) {
+    forLanes<Lanes>(0, count, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
+        const L c = L::load(contrast + x);
+        const L noise(noise_grey_levels);
+        L index(0.0f);
+        for (std::size_t w = 0; w + 1 < kWindows.size(); ++w) {
+            index = index + select(L(kWindows[w].max_noise_px) * c < noise, L(1.0f), L(0.0f));
+        }
+        std::int32_t indices[Lanes::kCount];
+        index.store(indices);
+        for (int n = 0; n < L::kCount; ++n) window[x + n] = std::uint8_t(indices[n]);
     });
 }
 
@@ -224,8 +242,7 @@ private:
             for (int k = -span_.half_columns; k <= span_.half_columns; ++k, ++n) {
                 const L u(float(k) * span_.per_column);
                 const L present = L::load(present_ + row + k);
-                const L residual =
-                    (L::load(y_ + row + k) - (c0 + u * (c1 + u * a[4]))) * present;
+                const L residual = (L::load(y_ + row + k) - (c0 + u * (c1 + u * a[4]))) * present;
                 const L scaled = residual * inverse_cutoff;
                 const L bell = largerOf(L(1.0f) - scaled * scaled, L(0.0f));
                 weight_[n] = bell * bell * present;

@@ -73,8 +73,8 @@ struct Sheet {
             tessellate(options, sheet.grid, sheet.points, sheet.rising, scratch, quads);
             const float side = turnsClockwise(sheet.scan.pattern, sheet.rising) ? -1.0f : 1.0f;
             computeNormals(sheet.grid, sheet.points, quads, side, normal_scratch, normals);
-            layMesh(sheet.scan, sheet.grid, sheet.points, normals, quads, sheet.rising,
-                    sheet.noise, lay_scratch, mesh);
+            layMesh(sheet.scan, sheet.grid, sheet.points, normals, quads, sheet.rising, sheet.noise,
+                    lay_scratch, mesh);
         }
     };
 };
