@@ -29,11 +29,11 @@ def result(name, runs):
 
 
 def load(path):
-    """{name: Result}, in the order of the run: of each benchmark the median of its repetitions."""
+    """{name: Result}, in the order of the program: of each benchmark the median of its repetitions."""
     with open(path, encoding='utf-8') as file:
         document = json.load(file)
     runs = {}
-    for run in document['benchmarks']:
+    for run in sorted(document['benchmarks'], key=lambda run: run.get('family_index', 0)):
         if run.get('error_occurred'):
             raise SystemExit(f'{run["run_name"]}: {run["error_message"]}')
         if run.get('run_type') == 'iteration':

@@ -13,12 +13,17 @@ import table
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
+# Repetitions of one benchmark are spread over the run, so that a busy spell of the machine does not
+# fall on all of them.
+OPTIONS = ['--benchmark_repetitions=11', '--benchmark_min_time=0.1',
+           '--benchmark_enable_random_interleaving=true', '--benchmark_out_format=json']
+
+
 def run(program, out, options):
     """@returns the results; the JSON stays in `out`"""
     os.makedirs(os.path.dirname(out), exist_ok=True)
-    subprocess.run([program, '--benchmark_repetitions=5', '--benchmark_min_time=0.2',
-                    f'--benchmark_out={out}', '--benchmark_out_format=json', *options],
-                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    subprocess.run([program, *OPTIONS, f'--benchmark_out={out}', *options], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     return measured.load(out)
 
 

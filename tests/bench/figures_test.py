@@ -49,6 +49,11 @@ class Results(Case):
         results = self.load(repetition('batch/real_time', 1))
         self.assertAlmostEqual(results['batch'].seconds, 0.010)
 
+    def test_stand_in_the_order_of_the_program(self):
+        results = self.load(repetition('b', 1, family_index=1), repetition('a', 1, family_index=0),
+                            repetition('b', 1, family_index=1))
+        self.assertEqual(list(results), ['a', 'b'])
+
     def test_keep_stages_in_their_order(self):
         results = self.load(repetition('a', 1, **{'stage:11:alpha': 2, 'stage:10:beta': 1}))
         self.assertEqual(results['a'].stages, {'beta': 1, 'alpha': 2})
