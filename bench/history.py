@@ -17,7 +17,7 @@ def git(root, *arguments):
 
 
 def require_clean_tree(root, apart_from):
-    """A record must name the version that it measured; `apart_from` are the files that it changes."""
+    """A record names the version that it measured. `apart_from` are files that it may change."""
     others = [f':!{file}' for file in apart_from]
     if git(root, 'status', '--porcelain', '--', '.', *others):
         sys.exit('--record measures a commit: commit your changes first')

@@ -29,7 +29,7 @@ def result(name, runs):
 
 
 def load(path):
-    """{name: Result}, in the order of the program: of each benchmark the median of its repetitions."""
+    """{name: Result}, in the order of the program: medians of the repetitions."""
     with open(path, encoding='utf-8') as file:
         document = json.load(file)
     runs = {}
