@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 
 namespace facescan {
@@ -155,12 +156,12 @@ private:
         const std::uint32_t above = grayCodeword(planes_.stripe[i]);
         const std::uint32_t below = grayCodeword(planes_.stripe[i + planes_.width]);
         const std::uint32_t changed = above ^ below;
-        if (std::has_single_bit(changed)) return 0;
+        if (std::has_single_bit(changed) || spansAJump(x, y)) return 0;
         int decoded = 0;
         for (std::uint32_t rest = changed; rest != 0; rest &= rest - 1) {
             const std::uint32_t bit = rest & (0u - rest);
             const int pair = images_.bits - 1 - std::countr_zero(bit);
-            const std::uint32_t codeword = jointCodeword(pair, x, y);
+            const std::uint32_t codeword = jointCodeword(x, y, y + 1, pair);
             if (!namesAnEdge(codeword, bit)) continue;
             const std::uint32_t dark = grayStripe(codeword & ~bit);
             const std::uint32_t lit = grayStripe(codeword | bit);
@@ -170,17 +171,34 @@ private:
         return decoded;
     }
 
-    /// The codeword around a crossing of `pair`: each other pair by the sign of both pixels.
-    std::uint32_t jointCodeword(int pair, int x, int y) const {
+    /// Whether a surface ends between the rows y and y + 1: the two pixels above and the two below
+    /// are more than two stripes apart, and agree about it. Where the pixels of noisy frames
+    /// disagree, one of them is alone.
+    bool spansAJump(int x, int y) const {
+        const std::size_t i = planes_.index(x, y);
+        if (std::abs(planes_.stripe[i] - planes_.stripe[i + planes_.width]) <= 2) return false;
+        const int upper = jointStripe(x, std::max(y - 1, 0), y);
+        const int lower = jointStripe(x, y + 1, std::min(y + 2, images_.height - 1));
+        return std::abs(upper - lower) > 3;
+    }
+
+    /// The stripe that two pixels of a column show together.
+    int jointStripe(int x, int a, int b) const {
+        return int(grayStripe(jointCodeword(x, a, b, -1)));
+    }
+
+    /// The codeword that the pixels in the rows a and b of a column show together: each pair by the
+    /// sign of both; that of the pair `without` is left at 0.
+    std::uint32_t jointCodeword(int x, int a, int b, int without) const {
         const Beside side(x, images_.width);
         std::uint32_t codeword = 0;
-        for (int other = 0; other < images_.bits; ++other) {
+        for (int pair = 0; pair < images_.bits; ++pair) {
             int difference = 0;
-            for (const int row : {y, y + 1}) {
-                difference += differenceAt(images_.patternRow(other, row),
-                                           images_.complementRow(other, row), x, side);
+            for (const int row : {a, b}) {
+                difference += differenceAt(images_.patternRow(pair, row),
+                                           images_.complementRow(pair, row), x, side);
             }
-            codeword = codeword * 2 + std::uint32_t(other != pair && difference > 0);
+            codeword = codeword * 2 + std::uint32_t(pair != without && difference > 0);
         }
         return codeword;
     }

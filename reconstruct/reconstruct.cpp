@@ -1,5 +1,6 @@
 #include "reconstruct/reconstruct.h"
 
+#include "reconstruct/border.h"
 #include "reconstruct/edge_bias.h"
 #include "reconstruct/normals.h"
 #include "reconstruct/quality.h"
@@ -41,12 +42,14 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
 
     if (options.compensate_motion) {
         findReferencePlanes(work.calibration, work.grid, work.points, work.reference_planes);
-        const MeasuredSurface surface{work.grid, work.points, work.reference_planes};
+        const MeasuredSurface surface{work.calibration, work.grid, work.points,
+                                      work.reference_planes};
         findings.image_motions =
             estimateImageMotion(images, work.grid, middle.place, work.image_motion);
         findings.motion = estimateSurfaceMotion(surface, work.calibration, images.bits, middle,
                                                 findings.image_motions, work.motion);
-        compensateMotion(surface, findings.motion, images.bits, work.grid);
+        report.vertices_rejected +=
+            compensateMotion(surface, findings.motion, images.bits, work.grid);
     }
     const PairDrift drift = driftWithinPairs(scan.pattern, findings.image_motions);
     correctEdgeBias(options.lens_blur_px, drift, images.bits, work.grid);
@@ -67,6 +70,8 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
         report.holes_found = holes.found;
         report.holes_filled = holes.filled;
         calibrateFilledCells(work.calibration, work.grid, work.points);
+        carryToBorder(work.calibration, work.planes, decoded.rising, work.grid, work.points);
+        rejectOutOfRange(scan.calibration, work.points, work.grid);
     }
     finished(Stage::fill);
 

@@ -25,6 +25,17 @@ Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+// The finest pair's surface beside an edge: its columns lie far enough apart to average the noise,
+// near enough to follow a face.
+constexpr int kReach = 4;
+constexpr float kEdgeOn = 0.15f;  // mm per px: seen more edge on, the surface tells nothing
+constexpr float kJump = 1.5f;     // two rows farther apart than the next are two surfaces …
+constexpr float kBend = 1;        // … and so is a row that bends more than this, px
+
+bool isMeasured(const VertexGrid& grid, std::size_t i) {
+    return grid.cell[i] == Cell::measured;
+}
+
 /// Where the finest pair's surface crosses the line of an edge of an even code: a cubic through the
 /// rows around.
 float placeOnReference(const VertexGrid& grid, int code, std::size_t i) {
@@ -37,6 +48,115 @@ float placeOnReference(const VertexGrid& grid, int code, std::size_t i) {
     const float far = grid.y[i - 3 * row] + grid.y[i + 3 * row];
     return (9 * near - far) * (1.0f / 16.0f);
 }
+
+/// What holds beside a jump of the surface, where the finest pair's rows above and below an edge
+/// are not one surface. It reads the grid as it was seen: rows of odd codes do not move.
+class BesideJump {
+public:
+    explicit BesideJump(const MeasuredSurface& surface)
+        : calibration_(surface.calibration), grid_(surface.grid), points_(surface.points) {}
+
+    /// How far a motion moves an edge, by the plane through two rows of the side where its own
+    /// surface is. Leaves `shift` as it is where there is none.
+    void shiftAt(int code, int column, const Point& centre, const RigidMotion& motion,
+                 float& shift) const {
+        Vector normal;
+        float mm_per_px;
+        if (!planeAt(code, column, normal, mm_per_px)) return;
+        const Vector lever = points_[grid_.index(code, column)] - centre;
+        const Vector turned = cross(motion.rotation, lever);
+        Vector moved;
+        for (int k = 0; k < 3; ++k) moved[k] = motion.translation[k] + turned[k];
+        shift = dot(normal, moved) / mm_per_px;
+    }
+
+    /// Whether an edge that lies at `y` by now runs along the outline of a surface: on one side the
+    /// finest pair's surface ends, and on the other it is nearer than it should be.
+    bool isOutline(int code, int column, float y) const {
+        return endsAt(code, -1, column, y) || endsAt(code, 1, column, y);
+    }
+
+private:
+    static constexpr float kFar = 1e9f;
+
+    bool planeAt(int code, int column, Vector& normal, float& mm_per_px) const {
+        const float above = distance(code, code - 1, column);
+        const float below = distance(code, code + 1, column);
+        const bool either = passes(code, column);
+        if ((either || below < above) && code + 3 < grid_.codes &&
+            planeBetween(code + 1, code + 3, code, column, normal, mm_per_px)) {
+            return true;
+        }
+        return (either || above < below) && code > 3 &&
+               planeBetween(code - 3, code - 1, code, column, normal, mm_per_px);
+    }
+
+    /// Between the edges of two codes in a column, px; far where there is none.
+    float distance(int code, int other, int column) const {
+        if (other < 1 || other >= grid_.codes) return kFar;
+        const std::size_t a = grid_.index(code, column);
+        const std::size_t b = grid_.index(other, column);
+        const bool both = isMeasured(grid_, a) && isMeasured(grid_, b);
+        return both ? std::fabs(grid_.y[a] - grid_.y[b]) : kFar;
+    }
+
+    /// Whether the finest pair's surface passes a cell without a jump.
+    bool passes(int code, int column) const {
+        const float next =
+            std::fmax(distance(code - 1, code - 3, column), distance(code + 1, code + 3, column));
+        return distance(code - 1, code + 1, column) <= kJump * next;
+    }
+
+    /// Whether the surface on the side of `inward` ends at an edge, and comes too near to it.
+    bool endsAt(int code, int inward, int column, float y) const {
+        constexpr float kGap = 2;
+        constexpr float kSqueezed = 0.8f;
+        const float next = distance(code + inward, code + 3 * inward, column);
+        if (next >= kFar) return false;
+        const float width = std::fabs(grid_.y[grid_.index(code + inward, column)] - y);
+        if (width >= kSqueezed * 0.5f * next) return false;
+        const std::size_t outer = grid_.index(code - inward, column);
+        return !isMeasured(grid_, outer) || std::fabs(grid_.y[outer] - y) > kGap * width;
+    }
+
+    /// Whether a row runs on around a cell without a jump or a crease.
+    bool runsOn(std::size_t i) const {
+        return isMeasured(grid_, i) && isMeasured(grid_, i - kReach) &&
+               isMeasured(grid_, i + kReach) &&
+               std::fabs(2 * grid_.y[i] - grid_.y[i - kReach] - grid_.y[i + kReach]) < kBend;
+    }
+
+    /// The plane through two rows of the finest pair, for the edge of another.
+    bool planeBetween(int upper, int lower, int code, int column, Vector& normal,
+                      float& mm_per_px) const {
+        if (column < kReach || column + kReach >= grid_.columns) return false;
+        const std::size_t above = grid_.index(upper, column);
+        const std::size_t below = grid_.index(lower, column);
+        if (!runsOn(above) || !runsOn(below)) return false;
+        const Vector left = points_[below - kReach] - points_[above - kReach];
+        const Vector middle = points_[below] - points_[above];
+        const Vector right = points_[below + kReach] - points_[above + kReach];
+        const Vector along_above = points_[above + kReach] - points_[above - kReach];
+        const Vector along_below = points_[below + kReach] - points_[below - kReach];
+        Vector along;
+        Vector across;
+        for (int k = 0; k < 3; ++k) {
+            along[k] = along_above[k] + along_below[k];
+            across[k] = middle[k] + right[k] + left[k];
+        }
+        normal = cross(along, across);
+        const float length = std::sqrt(dot(normal, normal));
+        if (!(length > 0)) return false;
+        for (float& n : normal) n /= length;
+        const float y = grid_.y[grid_.index(code, column)];
+        mm_per_px = dot(normal, toVector(calibration_.slopeAt(code, column, y)));
+        return std::fabs(mm_per_px) > kEdgeOn;
+    }
+
+    const GridCalibration& calibration_;
+    const VertexGrid& grid_;
+    const PointPlanes& points_;
+};
 
 /// The motion of the face at its middle that the motion of its image shows.
 class ImageToSpace {
@@ -221,34 +341,52 @@ float millimetresPerPixel(const GridCalibration& calibration, const SurfaceMiddl
 
 void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& grid,
                          const PointPlanes& points, ReferencePlanes& planes) {
-    // Far enough apart to average the noise, near enough to follow a face.
-    constexpr int kReach = 4;
-    constexpr float kEdgeOn = 0.15f;  // mm per px
     planes.normal.resize(grid.size());
     planes.mm_per_px.resize(grid.size());
     planes.known.assign(grid.size(), 0);
     planes.ahead.resize(grid.columns);
     planes.behind.resize(grid.columns);
+    planes.measured.resize(grid.size());
+    for (std::size_t i = 0; i < grid.size(); ++i) planes.measured[i] = isMeasured(grid, i);
+    planes.none.assign(grid.columns, 0);
     for (int code = 2; code + 1 < grid.codes; code += 2) {
         const int first = std::max(grid.extent[code].first, kReach);
         const int count = std::min(grid.extent[code].end, grid.columns - kReach) - first;
         if (count <= 0) continue;
         const std::size_t i = grid.index(code, first);
-        const std::size_t above = i - grid.columns;
-        const std::size_t below = i + grid.columns;
+        const std::size_t row = grid.columns;
+        const std::size_t above = i - row;
+        const std::size_t below = i + row;
         std::uint8_t* known = planes.known.data() + i;
+        const std::uint8_t* m = planes.measured.data();
         for (int x = 0; x < count; ++x) {
-            const auto measured = [&](std::size_t n) { return grid.cell[n + x] == Cell::measured; };
-            known[x] = (grid.cell[i + x] != Cell::empty) & measured(above) &
-                       measured(above - kReach) & measured(above + kReach) & measured(below) &
-                       measured(below - kReach) & measured(below + kReach);
+            const std::size_t a = above + x;
+            const std::size_t b = below + x;
+            known[x] = (grid.cell[i + x] != Cell::empty) & m[a] & m[a - kReach] & m[a + kReach] &
+                       m[b] & m[b - kReach] & m[b + kReach];
         }
         const float* y = grid.y.data() + i;
         calibration.row(code, first, count, y, 0.5f, rowFrom(planes.ahead, 0));
         calibration.row(code, first, count, y, -0.5f, rowFrom(planes.behind, 0));
+        const bool has_above = code > 3;
+        const bool has_below = code + 3 < grid.codes;
+        const std::size_t beyond_above = has_above ? above - 2 * row : above;
+        const std::size_t beyond_below = has_below ? below + 2 * row : below;
         kernels().referencePlanes(
-            {rowFrom(points, above), rowFrom(points, below), rowFrom(planes.ahead, 0),
-             rowFrom(planes.behind, 0), kReach, kEdgeOn},
+            {.above = rowFrom(points, above),
+             .below = rowFrom(points, below),
+             .ahead = rowFrom(planes.ahead, 0),
+             .behind = rowFrom(planes.behind, 0),
+             .reach = kReach,
+             .least_mm_per_px = kEdgeOn,
+             .above_y = grid.y.data() + above,
+             .below_y = grid.y.data() + below,
+             .beyond_above_y = grid.y.data() + beyond_above,
+             .beyond_below_y = grid.y.data() + beyond_below,
+             .beyond_above = has_above ? m + beyond_above : planes.none.data(),
+             .beyond_below = has_below ? m + beyond_below : planes.none.data(),
+             .largest_jump = kJump,
+             .largest_bend = kBend},
             count, {rowFrom(planes.normal, i), planes.mm_per_px.data() + i, known});
     }
 }
@@ -271,29 +409,47 @@ SurfaceMotion estimateSurfaceMotion(const MeasuredSurface& surface,
     return motion;
 }
 
-void compensateMotion(const MeasuredSurface& surface, const SurfaceMotion& motion, int bits,
-                      VertexGrid& grid) {
+int compensateMotion(const MeasuredSurface& surface, const SurfaceMotion& motion, int bits,
+                     VertexGrid& grid) {
+    constexpr float kMoved = 0.2f;  // px
     const ReferencePlanes& planes = surface.planes;
+    const BesideJump beside(surface);
+    int emptied = 0;
+    grid.scratch = grid.y;
     for (int code = 2; code + 1 < grid.codes; code += 2) {
         const auto [first, end] = grid.extent[code];
         if (first >= end) continue;
-        const std::size_t i = grid.index(code, first);
+        const std::size_t row = grid.index(code, 0);
         const RigidMotion& rigid = motion.pairs[pairOfEdge(code, bits)];
-        float* shift = grid.scratch.data() + i;
+        // The shifts of the whole row first; where no plane is known they are void.
+        float* moved_y = grid.scratch.data() + row;
         kernels().compensateRow(
-            rowFrom(surface.points, i),
-            {rowFrom(planes.normal, i), planes.mm_per_px.data() + i, planes.known.data() + i},
+            rowFrom(surface.points, row + first),
+            {rowFrom(planes.normal, row + first), planes.mm_per_px.data() + row + first,
+             planes.known.data() + row + first},
             {{motion.centre.x, motion.centre.y, motion.centre.z},
              rigid.translation,
              rigid.rotation},
-            end - first, shift);
+            end - first, moved_y + first);
         // Where the surface's direction is not known, the shift is that of the last cell that knew.
-        float last = 0;
-        for (int x = 0; x < end - first; ++x) {
-            last = planes.known[i + x] ? shift[x] : last;
-            grid.y[i + x] += last;
+        float shift = 0;
+        for (int column = first; column < end; ++column) {
+            const std::size_t i = row + column;
+            if (planes.known[i]) {
+                shift = moved_y[column];
+            } else if (grid.cell[i] != Cell::empty) {
+                beside.shiftAt(code, column, motion.centre, rigid, shift);
+            }
+            moved_y[column] = grid.y[i] + shift;
+            if (std::fabs(shift) > kMoved && grid.cell[i] != Cell::empty &&
+                beside.isOutline(code, column, moved_y[column])) {
+                grid.cell[i] = Cell::empty;
+                ++emptied;
+            }
         }
     }
+    grid.y.swap(grid.scratch);
+    return emptied;
 }
 
 }  // namespace facescan

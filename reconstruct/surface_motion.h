@@ -38,17 +38,23 @@ struct ReferencePlanes {
     PointPlanes normal;               ///< unit
     std::vector<float> mm_per_px;     ///< along the normal, for a pixel of the edge's place
     std::vector<std::uint8_t> known;  ///< by cell: 1 where the plane is
-    PointPlanes ahead;                ///< scratch, one row
-    PointPlanes behind;               ///< scratch, one row
+
+    // Scratch: the first two and the last of one row.
+    PointPlanes ahead;
+    PointPlanes behind;
+    std::vector<std::uint8_t> measured;
+    std::vector<std::uint8_t> none;
 };
 
 /// Looks up the finest pair's surface in the rows above and below each even code, which are its
-/// own. A plane is known where the points around are measured and it is not seen edge on.
+/// own. A plane is known where the points around are measured, they are one surface without a jump
+/// or a crease, and it is not seen edge on.
 void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& grid,
                          const PointPlanes& points, ReferencePlanes& planes);
 
 /// What is measured of the surface.
 struct MeasuredSurface {
+    const GridCalibration& calibration;
     const VertexGrid& grid;
     const PointPlanes& points;
     const ReferencePlanes& planes;
@@ -79,8 +85,10 @@ SurfaceMotion estimateSurfaceMotion(const MeasuredSurface& surface,
                                     AlignmentEquations& scratch);
 
 /// Moves every edge to where it would have been seen at the reference moment: the place where the
-/// surface, moved rigidly, meets the edge's line in space again.
-void compensateMotion(const MeasuredSurface& surface, const SurfaceMotion& motion, int bits,
-                      VertexGrid& grid);
+/// surface, moved rigidly, meets the edge's line in space again. Empties the cells of edges that
+/// belong to the moving outline of a surface.
+/// @returns the number of cells emptied
+int compensateMotion(const MeasuredSurface& surface, const SurfaceMotion& motion, int bits,
+                     VertexGrid& grid);
 
 }  // namespace facescan

@@ -141,6 +141,17 @@ struct ReferenceRows {
     ConstPointRow behind;
     int reach;
     float least_mm_per_px;  ///< seen more edge on than this, a plane is of no use
+
+    // Places of the edges in the finest pair's rows, px: the next ones above and below, and those
+    // beyond, with flags where these are measured.
+    const float* above_y;
+    const float* below_y;
+    const float* beyond_above_y;
+    const float* beyond_below_y;
+    const std::uint8_t* beyond_above;
+    const std::uint8_t* beyond_below;
+    float largest_jump;  ///< between the next rows, as a multiple of the distance to those beyond
+    float largest_bend;  ///< of a row within its reach, px
 };
 
 /// The finest pair's surface at the cells of a row.

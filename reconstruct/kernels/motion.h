@@ -59,7 +59,25 @@ FACESCAN_KERNEL void referencePlanes(const ReferenceRows& rows, int count,
         unit.store(planes.normal, i);
         mm_per_px.store(planes.mm_per_px + i);
         const auto frontal = L(rows.least_mm_per_px) < abs(mm_per_px);
-        (L::Mask::load(planes.known + i) & exists & frontal).store(planes.known + i);
+
+        const L above_y = L::load(rows.above_y + i);
+        const L below_y = L::load(rows.below_y + i);
+        const auto distance = [&](L a, const float* row,
+                                  const std::uint8_t* measured) FACESCAN_INLINE_LAMBDA {
+            constexpr float kFar = 1e9f;
+            return select(L::Mask::load(measured + i), abs(a - L::load(row + i)), L(kFar));
+        };
+        const L beyond = largerOf(distance(above_y, rows.beyond_above_y, rows.beyond_above),
+                                  distance(below_y, rows.beyond_below_y, rows.beyond_below));
+        const auto passes = abs(above_y - below_y) <= L(rows.largest_jump) * beyond;
+        const auto straight = [&](const float* y, L middle) FACESCAN_INLINE_LAMBDA {
+            const L bend =
+                L(2.0f) * middle - L::load(y + i - rows.reach) - L::load(y + i + rows.reach);
+            return abs(bend) < L(rows.largest_bend);
+        };
+        (L::Mask::load(planes.known + i) & exists & frontal & passes &
+         straight(rows.above_y, above_y) & straight(rows.below_y, below_y))
+            .store(planes.known + i);
     });
 }
 

@@ -9,9 +9,11 @@ const Kernels& portableKernels() {
 }
 
 const Kernels& kernels() {
-    static const Kernels& chosen =
-        neonKernels() && sizeof(void*) == 4 ? *neonKernels() : portableKernels();
-    return chosen;
+#ifdef __ARM_NEON
+    return *neonKernels();
+#else
+    return portableKernels();
+#endif
 }
 
 }  // namespace facescan

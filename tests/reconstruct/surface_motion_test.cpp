@@ -31,14 +31,16 @@ struct Motion {
 /// A grid with its points.
 class Calibrated {
 public:
-    Calibrated(const GridCalibration& calibration, const VertexGrid& grid) : grid_(grid) {
+    Calibrated(const GridCalibration& calibration, const VertexGrid& grid)
+        : calibration_(calibration), grid_(grid) {
         calibrateCells(calibration, grid, points_);
         findReferencePlanes(calibration, grid, points_, planes_);
     }
 
-    MeasuredSurface surface() const { return {grid_, points_, planes_}; }
+    MeasuredSurface surface() const { return {calibration_, grid_, points_, planes_}; }
 
 private:
+    const GridCalibration& calibration_;
     VertexGrid grid_;
     PointPlanes points_;
     ReferencePlanes planes_;
@@ -80,6 +82,17 @@ public:
     /// The estimate from the grid and the motion of the image.
     SurfaceMotion estimate(const VertexGrid& grid) const {
         return estimate(Calibrated(calibration_, grid));
+    }
+
+    /// Where a known motion of all pairs but the finest moves the edges.
+    VertexGrid movedBy(const RigidMotion& rigid, const VertexGrid& grid) const {
+        const Calibrated calibrated(calibration_, grid);
+        SurfaceMotion motion;
+        motion.centre = {float(centre_.x()), float(centre_.y()), float(centre_.z())};
+        std::fill_n(motion.pairs.begin(), scanner_.bits - 1, rigid);
+        VertexGrid moved = grid;
+        compensateMotion(calibrated.surface(), motion, scanner_.bits, moved);
+        return moved;
     }
 
     VertexGrid compensated(const VertexGrid& grid) const {
@@ -248,6 +261,71 @@ TEST(SurfaceMotion, OfAHeadThatTiltsIsKnownFromTheImage) {
     const SurfaceMotion motion = scene.estimate(scene.seen());
     for (int pair = 0; pair < 8; ++pair) {
         EXPECT_NEAR(motion.pairs[pair].rotation[2], -0.006 * (7 - pair) / 7.0, 3e-4);
+    }
+}
+
+/// A plane, and before the edge of a code another surface.
+struct Jump {
+    static constexpr int kFirst = 110;  ///< the first code of the plane
+
+    MovingSurface scene{planeSurface(400, 0.2, 0.1), {}};
+    VertexGrid plane = scene.still();
+    VertexGrid grid = plane;
+
+    Jump() {
+        for (int code = 1; code < kFirst; ++code) {
+            for (int column = 0; column < grid.columns; ++column) {
+                grid.y[grid.index(code, column)] -= 9;
+            }
+        }
+    }
+};
+
+constexpr RigidMotion kNearer{{0.1f, 0.2f, -0.4f}, {0, 0, 0}};
+
+TEST(SurfaceMotion, BesideAJumpIsThatOfTheEdgesOwnSurface) {
+    const Jump jump;
+    const VertexGrid expected = jump.scene.movedBy(kNearer, jump.plane);
+    const VertexGrid moved = jump.scene.movedBy(kNearer, jump.grid);
+    for (int column = 20; column < 180; ++column) {
+        const std::size_t i = jump.grid.index(Jump::kFirst, column);
+        ASSERT_EQ(jump.grid.cell[i], Cell::measured);
+        ASSERT_GT(std::fabs(expected.y[i] - jump.plane.y[i]), 0.2f);
+        ASSERT_NEAR(moved.y[i], expected.y[i], 0.02) << "column " << column;
+    }
+}
+
+TEST(SurfaceMotion, BesideACreaseInARowIsThatOfTheEdgesOwnSurface) {
+    // The row before the first of the plane falls away from column 100 on.
+    Jump jump;
+    VertexGrid creased = jump.plane;
+    for (int column = 100; column < creased.columns; ++column) {
+        creased.y[creased.index(Jump::kFirst - 1, column)] -= 1.5f * float(column - 99);
+    }
+    const VertexGrid expected = jump.scene.movedBy(kNearer, jump.plane);
+    const VertexGrid moved = jump.scene.movedBy(kNearer, creased);
+    for (int column = 92; column < 108; ++column) {
+        const std::size_t i = creased.index(Jump::kFirst, column);
+        ASSERT_NEAR(moved.y[i], expected.y[i], 0.1) << "column " << column;
+    }
+}
+
+TEST(SurfaceMotion, DropsTheOutlineOfWhatMoved) {
+    // Where a surface ends at another that moved, the edge between them belongs to neither: it
+    // lies too near to the next.
+    Jump jump;
+    const float near = 2;
+    for (int column = 0; column < jump.grid.columns; ++column) {
+        const std::size_t i = jump.grid.index(Jump::kFirst, column);
+        jump.grid.y[i] = jump.grid.y[i + jump.grid.columns] - near;
+    }
+    const VertexGrid still = jump.scene.movedBy({}, jump.grid);
+    const VertexGrid moved = jump.scene.movedBy(kNearer, jump.grid);
+    for (int column = 20; column < 180; ++column) {
+        const std::size_t i = jump.grid.index(Jump::kFirst, column);
+        ASSERT_EQ(still.cell[i], Cell::measured) << "column " << column;
+        ASSERT_EQ(moved.cell[i], Cell::empty) << "column " << column;
+        ASSERT_EQ(moved.cell[i + 2 * jump.grid.columns], Cell::measured) << "column " << column;
     }
 }
 
