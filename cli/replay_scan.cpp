@@ -63,8 +63,7 @@ void Replayer::drawPreview(ReplayOutcome& outcome) {
     }
     try {
         const RgbImage picture = renderer_->render(result_.mesh, result_.texture);
-        formatPng({picture.pixels.data(), picture.width, picture.height, 3}, PngContent::drawing,
-                  files_.add("preview.png"));
+        files_.addPng("preview.png", {picture.pixels.data(), picture.width, picture.height, 3});
     } catch (const RenderError& error) {
         outcome.preview_error = error.what();
     }

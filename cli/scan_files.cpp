@@ -7,7 +7,6 @@
 #include "export/glb.h"
 #include "export/obj.h"
 #include "export/ply.h"
-#include "export/png.h"
 #include "export/stl.h"
 
 namespace facescan {
@@ -35,12 +34,18 @@ std::string& ScanFiles::add(const char* name) {
     return file.bytes;
 }
 
+std::string& ScanFiles::addPng(const char* name, const ImageView& image) {
+    std::string& bytes = add(name);
+    png_.format(image, bytes);
+    return bytes;
+}
+
 void ScanFiles::addMesh(const Reconstruction& result, std::span<const MeshFormat> formats) {
     const auto wanted = [&](MeshFormat format) {
         return std::ranges::find(formats, format) != formats.end();
     };
     const Mesh& mesh = result.mesh;
-    formatPng(view(result.texture), PngContent::photograph, add(kPlyTextureName));
+    addPng(kPlyTextureName, view(result.texture));
     if (mesh.triangles.empty()) return;
 
     if (wanted(MeshFormat::glb)) {

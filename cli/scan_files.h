@@ -8,6 +8,7 @@
 
 #include "export/atomic_file.h"
 #include "export/mesh_format.h"
+#include "export/png.h"
 #include "reconstruct/reconstruct.h"
 
 namespace facescan {
@@ -20,6 +21,9 @@ public:
 
     /// Begins a file. @returns its bytes, to be overwritten; valid until the next add()
     std::string& add(const char* name);
+
+    /// Adds a picture. @returns its bytes, as add() does
+    std::string& addPng(const char* name, const ImageView& image);
 
     /// Adds texture.png, and if there is a mesh, mesh.ply and the further formats.
     void addMesh(const Reconstruction& result, std::span<const MeshFormat> formats);
@@ -34,6 +38,7 @@ public:
 private:
     std::vector<FileContent> files_;  ///< the first count_ are this scan's
     std::size_t count_ = 0;
+    PngEncoder png_;
 };
 
 }  // namespace facescan
