@@ -13,6 +13,9 @@
 
 namespace facescan {
 
+inline constexpr const char* kMeshName = "mesh.ply";
+inline constexpr const char* kReportName = "report.json";
+
 /// The results of one scan on their way into its folder. Their memory is used again for the next.
 class ScanFiles {
 public:
@@ -29,10 +32,11 @@ public:
     void addMesh(const Reconstruction& result, std::span<const MeshFormat> formats);
 
     std::vector<std::string> names() const;
+    std::vector<std::size_t> sizes() const;  ///< bytes, in the order of names()
 
-    /// Writes them: all or none, in the order in which they were added. Then files of earlier
-    /// results that are not among them are removed, so that a folder never mixes two scans.
-    /// @throws WriteError, CommandError
+    /// Writes them: all or none, the last one last. Files of earlier results that are not among
+    /// them are removed, so that a folder never mixes two scans, and never shows a report but of
+    /// what stands there: writeFiles(). @throws WriteError
     void write(const std::filesystem::path& folder, Durability durability);
 
 private:
