@@ -1,5 +1,7 @@
 #include "capture/bundle.h"
 
+#include <fcntl.h>
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +12,7 @@
 #include "capture/frames_file.h"
 #include "capture/scan_xml.h"
 #include "capture/staged_folder.h"
+#include "capture/unique_fd.h"
 
 namespace facescan {
 namespace fs = std::filesystem;
@@ -41,6 +44,27 @@ std::span<const std::uint8_t> bytesOf(std::string_view text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
+ScanDocument readDocument(const fs::path& folder) {
+    FileSource source(folder / kDocumentName);
+    return readScanXml(source);
+}
+
+/// A bundle whose pixels are still to be read, from `frames`.
+struct OpenBundle {
+    explicit OpenBundle(const fs::path& folder)
+        : scan(readDocument(folder)),
+          frames(folder / scan.frames_file),
+          header(readFramesHeader(frames)) {
+        checkTogether(scan.description, header, (folder / kDocumentName).string());
+    }
+
+    BundleFingerprint fingerprint() const { return {scan.crc, framesHeaderCrc(header)}; }
+
+    ScanDocument scan;
+    FileSource frames;
+    FramesHeader header;
+};
+
 }  // namespace
 
 ScanBundle readBundle(const fs::path& folder) {
@@ -53,16 +77,25 @@ void readBundle(const fs::path& folder, ScanBundle& bundle) {
     ScanBundle read;
     read.frames = std::exchange(bundle, {}).frames;
 
-    FileSource document(folder / kDocumentName);
-    ScanDocument scan = readScanXml(document);
-    FileSource frames(folder / scan.frames_file);
-    const FramesHeader header = readFramesHeader(frames);
-    checkTogether(scan.description, header, document.name());
-    readFramePixels(frames, header, read.frames);
+    OpenBundle open(folder);
+    readFramePixels(open.frames, open.header, read.frames);
 
-    read.description = std::move(scan.description);
-    read.timing = header.timing;
+    read.description = std::move(open.scan.description);
+    read.timing = open.header.timing;
+    read.fingerprint = open.fingerprint();
     bundle = std::move(read);
+}
+
+BundleFingerprint readBundleFingerprint(const fs::path& folder) {
+    return OpenBundle(folder).fingerprint();
+}
+
+void expectBundle(const fs::path& folder) {
+    for (const char* name : {kDocumentName, kFramesFileName}) {
+        const UniqueFd file(
+            ::open((folder / name).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+        if (file) ::posix_fadvise(file.get(), 0, 0, POSIX_FADV_WILLNEED);
+    }
 }
 
 void writeBundle(const fs::path& folder, const ScanDescription& description,

@@ -13,8 +13,9 @@
 namespace facescan {
 namespace {
 
-// Small enough that a chunk is still in the cache when its CRC is taken.
-constexpr std::size_t kChunkBytes = 128 * 1024;
+// Small enough that a chunk is still in the cache when its CRC is taken, large enough that system
+// calls do not count: measured from 16 KiB to 8 MiB.
+constexpr std::size_t kChunkBytes = 256 * 1024;
 
 void resizePixels(std::vector<std::uint8_t>& pixels, std::uint64_t size, const std::string& file) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();

@@ -123,4 +123,8 @@ FramesHeaderBytes encodeFramesHeader(const FramesHeader& header) {
     return bytes;
 }
 
+std::uint32_t framesHeaderCrc(const FramesHeader& header) {
+    return headerCrc(encodeFramesHeader(header));
+}
+
 }  // namespace facescan

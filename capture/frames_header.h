@@ -47,4 +47,7 @@ FramesHeader parseFramesHeader(const FramesHeaderBytes& bytes, const std::string
 /// The inverse of parseFramesHeader(). Checks nothing.
 FramesHeaderBytes encodeFramesHeader(const FramesHeader& header);
 
+/// The CRC-32 of a header, as it carries it in its last four bytes.
+std::uint32_t framesHeaderCrc(const FramesHeader& header);
+
 }  // namespace facescan

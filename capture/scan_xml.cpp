@@ -1,5 +1,6 @@
 #include "capture/scan_xml.h"
 
+#include <libdeflate.h>
 #include <tinyxml2.h>
 
 #include <span>
@@ -150,6 +151,7 @@ ScanDocument parseScanXml(std::string_view document, const std::string& file) {
     const XmlNode frames = root.child("frames");
 
     ScanDocument scan;
+    scan.crc = libdeflate_crc32(0, document.data(), document.size());
     scan.frames_file = readPlainFileName(frames);
     scan.description.image = readImage(root.child("image"));
     scan.description.pattern = readPattern(root.child("pattern"));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,7 @@ inline constexpr std::size_t kMaxScanXmlBytes = 1 << 20;
 struct ScanDocument {
     ScanDescription description;
     std::string frames_file;  ///< a plain name in the document's folder
+    std::uint32_t crc = 0;    ///< CRC-32 of its text
 };
 
 /// Checks every rule that concerns the document alone. @throws BundleError at a broken one

@@ -1,6 +1,5 @@
 #include "cli/bundle_name.h"
 
-#include <map>
 #include <system_error>
 
 #include "cli/errors.h"
@@ -17,20 +16,6 @@ std::string bundleName(const fs::path& bundle) {
     }
     const std::string name = path.filename().string();
     return name.empty() ? "scan" : name;
-}
-
-std::vector<std::string> distinctBundleNames(std::span<const fs::path> bundles) {
-    std::vector<std::string> names;
-    std::map<std::string, fs::path> owners;
-    for (const fs::path& bundle : bundles) {
-        names.push_back(bundleName(bundle));
-        const auto [owner, is_first] = owners.emplace(names.back(), bundle);
-        if (!is_first)
-            throw CommandError(EX_USAGE, owner->second.string() + " and " + bundle.string() +
-                                             " have the same name, " + names.back() +
-                                             ": replay them into different folders");
-    }
-    return names;
 }
 
 void requireBundle(const fs::path& bundle) {

@@ -20,6 +20,11 @@ void OutputFolders::make(const fs::path& folder) {
     }
 }
 
+void OutputFolders::keep(const fs::path& folder) {
+    const std::lock_guard lock(mutex_);
+    made_.erase(fs::absolute(folder).lexically_normal());
+}
+
 void OutputFolders::removeIfEmpty(const fs::path& folder) {
     const std::lock_guard lock(mutex_);
     removeEach(fs::absolute(folder).lexically_normal());

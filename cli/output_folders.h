@@ -14,6 +14,9 @@ public:
     /// @throws CommandError (EX_CANTCREAT); what was made until then is removed
     void make(const std::filesystem::path& folder);
 
+    /// Forgets a folder that has its results: removeIfEmpty() is not called for it any more.
+    void keep(const std::filesystem::path& folder);
+
     /// Removes the folder and those above it, as far as they were made here and are empty.
     void removeIfEmpty(const std::filesystem::path& folder);
 

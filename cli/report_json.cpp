@@ -1,7 +1,9 @@
 #include "cli/report_json.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "capture/bundle_error.h"
 #include "cli/stage_options.h"
 
 namespace facescan {
@@ -103,23 +105,53 @@ Json toJson(const StageTimes& times) {
     return json;
 }
 
-Json reportJson(const ReplayOutcome& outcome, const Options& options) {
+Json toJson(const BundleFingerprint& fingerprint) {
+    return {{"scan_xml_crc32", hexWord(fingerprint.document_crc)},
+            {"frames_header_crc32", hexWord(fingerprint.frames_header_crc)}};
+}
+
+Json requestJson(const ReplaySettings& settings) {
+    Json formats = Json::array();
+    for (const MeshFormat format :
+         {MeshFormat::ply, MeshFormat::obj, MeshFormat::stl, MeshFormat::glb}) {
+        const bool wanted = format == MeshFormat::ply ||
+                            std::ranges::find(settings.formats, format) != settings.formats.end();
+        if (wanted) formats.push_back(name(format));
+    }
+    return {{"version", FACESCAN_VERSION},
+            {"options", toJson(settings.options)},
+            {"formats", formats},
+            {"preview", settings.preview}};
+}
+
+Json reportJson(const ReplayOutcome& outcome, const Json& request) {
+    Json bytes = Json::object();
+    for (std::size_t k = 0; k < outcome.sizes.size(); ++k)
+        bytes[outcome.files[k]] = outcome.sizes[k];
     return {
-        {"version", FACESCAN_VERSION},
+        {"version", request["version"]},
         {"bundle", outcome.job.bundle.string()},
-        {"options", toJson(options)},
+        {"input", toJson(outcome.fingerprint)},
+        {"options", request["options"]},
+        {"formats", request["formats"]},
+        {"preview", request["preview"]},
         {"counts", countsJson(outcome.report)},
         {"milliseconds", timesJson(outcome.times)},
         {"quality", qualityJson(outcome.report, outcome.bits)},
         {"files", outcome.files},
+        {"bytes", bytes},
     };
 }
 
-Json outcomeJson(const ReplayOutcome& outcome, const Options& options) {
-    Json json = outcome.hasResults() ? reportJson(outcome, options)
-                                     : Json{{"version", FACESCAN_VERSION},
-                                            {"bundle", outcome.job.bundle.string()},
-                                            {"error", outcome.error}};
+Json outcomeJson(const ReplayOutcome& outcome, const Json& request) {
+    Json json;
+    if (outcome.earlier_report)
+        json = *outcome.earlier_report;
+    else if (outcome.hasResults())
+        json = reportJson(outcome, request);
+    else
+        json = {{"version", FACESCAN_VERSION}, {"bundle", ""}, {"error", outcome.error}};
+    json["bundle"] = outcome.job.bundle.string();
     json["folder"] = outcome.job.folder.string();
     json["status"] = outcome.status;
     return json;

@@ -11,11 +11,17 @@ namespace facescan {
 
 using Json = nlohmann::ordered_json;
 
-/// report.json of a replayed scan.
-Json reportJson(const ReplayOutcome& outcome, const Options& options);
+/// What is asked for: the part of a report that all scans of a batch have in common.
+Json requestJson(const ReplaySettings& settings);
+
+/// report.json of a replayed scan. @param request  requestJson()
+Json reportJson(const ReplayOutcome& outcome, const Json& request);
 
 /// The line of `replay --json` for a bundle: its report, or its error.
-Json outcomeJson(const ReplayOutcome& outcome, const Options& options);
+Json outcomeJson(const ReplayOutcome& outcome, const Json& request);
+
+/// {"scan_xml_crc32": "0x…", …}
+Json toJson(const BundleFingerprint& fingerprint);
 
 /// {"preprocess": 0.6, …}, in milliseconds
 Json toJson(const StageTimes& times);

@@ -1,9 +1,7 @@
 #include "cli/scan_files.h"
 
 #include <algorithm>
-#include <system_error>
 
-#include "cli/errors.h"
 #include "export/glb.h"
 #include "export/obj.h"
 #include "export/ply.h"
@@ -15,16 +13,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Every name that a replay gives to a file.
-constexpr const char* kNames[] = {"mesh.ply", "mesh.obj",    "mesh.mtl",    "mesh.stl",
-                                  "mesh.glb", "texture.png", "preview.png", "report.json"};
-
-void removeStale(const fs::path& file) {
-    std::error_code error;
-    if (!fs::is_directory(file, error)) fs::remove(file, error);
-    if (error)
-        throw CommandError(EX_CANTCREAT, "cannot remove " + file.string() +
-                                             " of an earlier scan: " + error.message());
-}
+constexpr const char* kNames[] = {kMeshName,  "mesh.obj",    "mesh.mtl",    "mesh.stl",
+                                  "mesh.glb", "texture.png", "preview.png", kReportName};
 
 }  // namespace
 
@@ -35,12 +25,18 @@ std::string& ScanFiles::add(const char* name) {
     return file.bytes;
 }
 
+std::string& ScanFiles::addPng(const char* name, const ImageView& image) {
+    std::string& bytes = add(name);
+    png_.format(image, bytes);
+    return bytes;
+}
+
 void ScanFiles::addMesh(const Reconstruction& result, std::span<const MeshFormat> formats) {
     const auto wanted = [&](MeshFormat format) {
         return std::ranges::find(formats, format) != formats.end();
     };
     const Mesh& mesh = result.mesh;
-    formatPng(view(result.texture), PngContent::photograph, add(kPlyTextureName));
+    addPng(kPlyTextureName, view(result.texture));
     if (mesh.triangles.empty()) return;
 
     if (wanted(MeshFormat::glb)) {
@@ -52,7 +48,7 @@ void ScanFiles::addMesh(const Reconstruction& result, std::span<const MeshFormat
         formatObj(mesh, "mesh.mtl", add("mesh.obj"));
     }
     if (wanted(MeshFormat::stl)) formatStl(mesh, add("mesh.stl"));
-    formatPly(mesh, add("mesh.ply"));
+    formatPly(mesh, add(kMeshName));
 }
 
 std::vector<std::string> ScanFiles::names() const {
@@ -61,13 +57,20 @@ std::vector<std::string> ScanFiles::names() const {
     return names;
 }
 
+std::vector<std::size_t> ScanFiles::sizes() const {
+    std::vector<std::size_t> sizes;
+    for (std::size_t k = 0; k < count_; ++k) sizes.push_back(files_[k].bytes.size());
+    return sizes;
+}
+
 void ScanFiles::write(const fs::path& folder, Durability durability) {
     const std::vector<std::string> written = names();
-    for (std::size_t k = 0; k < count_; ++k) files_[k].path = folder / files_[k].path.filename();
-    writeFiles(std::span(files_).first(count_), durability);
+    for (std::size_t k = 0; k < count_; ++k) files_[k].path = folder / written[k];
+    std::vector<fs::path> obsolete;
     for (const char* name : kNames) {
-        if (std::ranges::find(written, name) == written.end()) removeStale(folder / name);
+        if (std::ranges::find(written, name) == written.end()) obsolete.push_back(folder / name);
     }
+    writeFiles(std::span(files_).first(count_), durability, obsolete);
 }
 
 }  // namespace facescan

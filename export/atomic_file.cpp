@@ -14,11 +14,21 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMaxLeftovers = 10'000;
+constexpr const char* kTemporaryPrefix = ".facescan-";
+constexpr const char* kTemporarySuffix = ".tmp";
 
 /// The name does not grow with the target's, which may be as long as the file system allows.
 fs::path temporaryName(const fs::path& target, int attempt) {
-    return target.parent_path() /
-           (".facescan-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp");
+    return target.parent_path() / (std::string(kTemporaryPrefix) + std::to_string(::getpid()) +
+                                   "-" + std::to_string(attempt) + kTemporarySuffix);
+}
+
+/// Folders of that name stay.
+void removeFile(const fs::path& file) {
+    const bool gone = ::unlink(file.c_str()) == 0 || errno == ENOENT || errno == EISDIR;
+    if (!gone)
+        throw WriteError("cannot remove " + file.string() +
+                         " of an earlier scan: " + std::generic_category().message(errno));
 }
 
 }  // namespace
@@ -85,12 +95,27 @@ void AtomicFile::fail(int error_number) const {
     fail(std::generic_category().message(error_number));
 }
 
-void writeFiles(std::span<const FileContent> files, Durability durability) {
+void writeFiles(std::span<const FileContent> files, Durability durability,
+                std::span<const fs::path> obsolete) {
+    if (files.empty()) return;
     std::deque<AtomicFile> open;  // a deque, for an AtomicFile does not move
     for (const FileContent& file : files)
         open.emplace_back(file.path, durability).write(file.bytes);
     for (AtomicFile& file : open) file.finish();
+
+    if (files.size() + obsolete.size() > 1) removeFile(files.back().path);
+    for (const fs::path& file : obsolete) removeFile(file);
     for (AtomicFile& file : open) file.commit();
+}
+
+void removeLeftovers(const fs::path& folder) {
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folder, ignored); entry != fs::directory_iterator();
+         entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(kTemporaryPrefix) && name.ends_with(kTemporarySuffix))
+            fs::remove(entry->path(), ignored);
+    }
 }
 
 }  // namespace facescan

@@ -60,8 +60,15 @@ struct FileContent {
 };
 
 /// Writes files that belong together. All are complete under temporary names before the first takes
-/// its own, so that an error in writing leaves none. They take their names in the order given: the
-/// one that refers to the others comes last.
-void writeFiles(std::span<const FileContent> files, Durability durability = Durability::synced);
+/// its own, so that an error in writing leaves none and changes nothing. The last one vouches for
+/// the set: it goes before the others change, and takes its name after all of them, so that where
+/// it stands, whenever the process may have been killed, the others stand as they belong to it.
+/// @param obsolete  files of an earlier set that go with its last one; they may be missing
+void writeFiles(std::span<const FileContent> files, Durability durability = Durability::synced,
+                std::span<const std::filesystem::path> obsolete = {});
+
+/// Removes the temporary files that a killed process left in a folder, if there is such a folder.
+/// Nothing else may be writing there.
+void removeLeftovers(const std::filesystem::path& folder);
 
 }  // namespace facescan

@@ -25,7 +25,7 @@ bool equalIgnoringCase(std::string_view a, std::string_view b) {
 
 std::string texturePng(const GreyImage& texture) {
     std::string png;
-    formatPng(view(texture), PngContent::photograph, png);
+    formatPng(view(texture), png);
     return png;
 }
 

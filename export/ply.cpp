@@ -1,5 +1,6 @@
 #include "export/ply.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -54,12 +55,11 @@ void formatPly(const Mesh& mesh, std::string& out) {
     const std::size_t vertex_bytes = mesh.vertices.size() * sizeof(Vertex);
     const std::size_t face_bytes = mesh.triangles.size() * kFaceBytes;
 
-    out.clear();
-    out.reserve(head.size() + vertex_bytes + face_bytes);
-    out += head;
-    out.append(reinterpret_cast<const char*>(mesh.vertices.data()), vertex_bytes);
-    out.resize(out.size() + face_bytes);
-    packFaces(mesh.triangles, out.data() + head.size() + vertex_bytes);
+    // Not cleared before: what is overwritten need not be filled with zeros.
+    out.resize(head.size() + vertex_bytes + face_bytes);
+    char* place = std::ranges::copy(head, out.data()).out;
+    if (vertex_bytes > 0) std::memcpy(place, mesh.vertices.data(), vertex_bytes);
+    packFaces(mesh.triangles, place + vertex_bytes);
 }
 
 }  // namespace facescan

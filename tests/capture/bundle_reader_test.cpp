@@ -109,6 +109,47 @@ TEST(BundleReader, ReadsTheFileThatTheDocumentNames) {
     EXPECT_NO_THROW(readBundle(path));
 }
 
+TEST(BundleFingerprint, IsThatOfTheBundleRead) {
+    const TempFolder folder;
+    const fs::path bundle = writeSampleBundle(folder);
+    const std::string xml = sampleXml();
+    const FramesHeaderBytes header = sampleHeader();
+    const BundleFingerprint expected = {
+        slowCrc({reinterpret_cast<const std::uint8_t*>(xml.data()), xml.size()}),
+        slowCrc(std::span(header).first(60))};
+    EXPECT_EQ(readBundle(bundle).fingerprint, expected);
+    EXPECT_EQ(readBundleFingerprint(bundle), expected);
+}
+
+TEST(BundleFingerprint, ChangesWithTheDocumentAndWithThePixels) {
+    const TempFolder folder;
+    const fs::path bundle = writeSampleBundle(folder);
+    const BundleFingerprint before = readBundleFingerprint(bundle);
+    writeFile(bundle / "scan.xml", sampleXml() + "\n");
+    const BundleFingerprint other_document = readBundleFingerprint(bundle);
+    EXPECT_NE(other_document, before);
+    Bytes file = sampleFramesFile();
+    putNumber(file, 48, 4, 7);  // the CRC of other pixels
+    renewHeaderCrc(file);
+    writeFile(bundle / "frames.bin", file);
+    EXPECT_NE(readBundleFingerprint(bundle), other_document);
+}
+
+TEST(BundleFingerprint, IsNotThatOfABrokenBundle) {
+    const TempFolder folder;
+    const fs::path bundle = writeSampleBundle(folder);
+    fs::resize_file(bundle / "frames.bin", 100);
+    EXPECT_EQ(bundleErrorOf([&] { readBundleFingerprint(bundle); }).what(), errorOfReading(bundle));
+}
+
+TEST(ExpectBundle, SaysNothingAboutWhatIsNotThere) {
+    const TempFolder folder;
+    expectBundle(folder / "missing");
+    const fs::path bundle = writeSampleBundle(folder);
+    expectBundle(bundle);
+    readBundle(bundle);
+}
+
 TEST(BundleReader, MayBeGivenASlashAtTheEnd) {
     const TempFolder folder;
     EXPECT_NO_THROW(readBundle(writeSampleBundle(folder) / ""));

@@ -3,9 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <vector>
-
-#include "cli/errors.h"
 
 namespace facescan {
 namespace {
@@ -34,11 +31,6 @@ TEST(BundleName, OfDotsIsThatOfTheFolder) {
 
 TEST(BundleName, OfTheRootIsSomethingToWriteTo) {
     EXPECT_EQ(bundleName("/"), "scan");
-}
-
-TEST(BundleName, TwoOfOneNameAreRefused) {
-    const std::vector<fs::path> bundles = {"a/anna", "bert", "b/anna/"};
-    EXPECT_THROW(distinctBundleNames(bundles), CommandError);
 }
 
 }  // namespace

@@ -28,6 +28,13 @@ TEST_F(OutputFoldersTest, MakesAllThatIsMissing) {
     EXPECT_TRUE(fs::is_directory(root_ / "a/b"));
 }
 
+TEST_F(OutputFoldersTest, LeavesWhatIsToBeKept) {
+    folders_.make(root_ / "a/b");
+    folders_.keep(root_ / "a/b");
+    folders_.removeIfEmpty(root_ / "a/b");
+    EXPECT_TRUE(fs::exists(root_ / "a/b"));
+}
+
 TEST_F(OutputFoldersTest, RemovesWhatItMadeAndNothingElse) {
     folders_.make(root_ / "a/b");
     folders_.removeIfEmpty(root_ / "a/b");

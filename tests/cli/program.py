@@ -98,4 +98,4 @@ class Case(unittest.TestCase):
 
 
 def main():
-    unittest.main(warnings='ignore')  # the evaluator leaves files to be closed by Python
+    unittest.main(verbosity=2, warnings='ignore')  # the evaluator leaves files to be closed by Python

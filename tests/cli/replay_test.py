@@ -2,6 +2,7 @@
 import json
 import os
 import pty
+import zlib
 
 from program import (DATA, STEPS, STILL, Case, DATA_ERROR, NO_INPUT, USAGE, files_under, png_header,
                      main, read, run, write_truncated_bundle)
@@ -45,8 +46,9 @@ class OneScan(Case):
     def test_report_has_version_options_counts_times_and_quality(self):
         self.replay('--no-preview')
         report = self.report()
-        self.assertEqual(list(report), ['version', 'bundle', 'options', 'counts', 'milliseconds',
-                                        'quality', 'files'])
+        self.assertEqual(list(report), ['version', 'bundle', 'input', 'options', 'formats',
+                                        'preview', 'counts', 'milliseconds', 'quality', 'files',
+                                        'bytes'])
         self.assertEqual(report['version'], self.succeed('--version').split()[1])
         self.assertEqual(report['bundle'], STILL)
         self.assertEqual(list(report['milliseconds']),
@@ -58,6 +60,15 @@ class OneScan(Case):
         self.assertEqual([pair['pair'] for pair in quality['motion']], list(range(8)))
         self.assertIn(' ', quality['verdict'])
         self.assertEqual(report['files'], ['texture.png', 'mesh.ply', 'report.json'])
+        self.assertEqual(report['bytes'], {name: os.path.getsize(self.path('out', name))
+                                           for name in ('texture.png', 'mesh.ply')})
+
+    def test_report_names_its_input_by_checksums(self):
+        self.replay('--no-preview')
+        document = zlib.crc32(read(STILL, 'scan.xml'))
+        header = zlib.crc32(read(STILL, 'frames.bin')[:60])
+        self.assertEqual(self.report()['input'], {'scan_xml_crc32': f'0x{document:08x}',
+                                                  'frames_header_crc32': f'0x{header:08x}'})
 
     def test_table_names_stages_verdict_mesh_and_picture(self):
         table = self.replay()

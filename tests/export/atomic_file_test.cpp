@@ -175,5 +175,61 @@ TEST(WriteFiles, WritesNoneWhereOneNameIsTakenByAFolder) {
     EXPECT_THAT(folder.names(), ElementsAre("b"));
 }
 
+TEST(WriteFiles, RemovesWhatAnEarlierSetLeft) {
+    const ScratchFolder folder;
+    for (const char* name : {"a", "b", "old"}) putFile(folder / name, "former");
+    const std::array obsolete = {folder / "old", folder / "missing"};
+    writeFiles(std::array{FileContent{folder / "a", "1"}, FileContent{folder / "b", "2"}},
+               Durability::buffered, obsolete);
+    EXPECT_THAT(folder.names(), ElementsAre("a", "b"));
+    EXPECT_EQ(contentOf(folder / "b"), "2");
+}
+
+TEST(WriteFiles, LeavesNoLastFileBesideOnesThatItDoesNotVouchFor) {
+    const ScratchFolder folder;
+    putFile(folder / "a", "former a");
+    putFile(folder / "b", "former b");
+    const std::array obsolete = {folder / "a" / "no folder"};
+    const std::string message = writeErrorOf([&] {
+        writeFiles(std::array{FileContent{folder / "a", "1"}, FileContent{folder / "b", "2"}},
+                   Durability::buffered, obsolete);
+    });
+    EXPECT_THAT(message, HasSubstr("cannot remove"));
+    EXPECT_THAT(folder.names(), ElementsAre("a"));
+}
+
+TEST(WriteFiles, RemovesNothingWhereOneDoesNotFit) {
+    const ScratchFolder folder;
+    putFile(folder / "b", "former b");
+    putFile(folder / "old", "former");
+    const std::array obsolete = {folder / "old"};
+    EXPECT_THROW(
+        {
+            const FileSizeLimit limit(4096);
+            writeFiles(std::array{FileContent{folder / "a", "small"},
+                                  FileContent{folder / "b", std::string(5000, 'x')}},
+                       Durability::synced, obsolete);
+        },
+        WriteError);
+    EXPECT_THAT(folder.names(), ElementsAre("b", "old"));
+}
+
+TEST(WriteFiles, LeavesAFolderOfAnObsoleteName) {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "old");
+    const std::array obsolete = {folder / "old"};
+    writeFiles(std::array{FileContent{folder / "a", "1"}}, Durability::buffered, obsolete);
+    EXPECT_THAT(folder.names(), ElementsAre("a", "old"));
+}
+
+TEST(RemoveLeftovers, TakesTemporaryFilesAndNothingElse) {
+    const ScratchFolder folder;
+    for (const char* name : {".facescan-12-0.tmp", ".facescan.tmp", "a.tmp", ".facescan-12-0"})
+        putFile(folder / name, "");
+    removeLeftovers(folder / ".");
+    EXPECT_THAT(folder.names(), ElementsAre(".facescan-12-0", ".facescan.tmp", "a.tmp"));
+    removeLeftovers(folder / "missing");
+}
+
 }  // namespace
 }  // namespace facescan::test
