@@ -5,8 +5,8 @@ namespace facescan {
 
 const Kernels* neonKernels() {
 #ifdef FACESCAN_HAS_NEON
-    static constexpr Kernels table = kernelsOf<NeonLanes>();
-    return &table;
+    static constexpr Kernels kTable = kernelsOf<NeonLanes>();
+    return &kTable;
 #else
     return nullptr;
 #endif

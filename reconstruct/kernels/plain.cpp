@@ -4,8 +4,8 @@
 namespace facescan {
 
 const Kernels& plainKernels() {
-    static constexpr Kernels table = kernelsOf<OneLane>();
-    return table;
+    static constexpr Kernels kTable = kernelsOf<OneLane>();
+    return kTable;
 }
 
 }  // namespace facescan

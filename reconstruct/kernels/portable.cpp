@@ -4,8 +4,8 @@
 namespace facescan {
 
 const Kernels& portableKernels() {
-    static constexpr Kernels table = kernelsOf<VectorLanes>();
-    return table;
+    static constexpr Kernels kTable = kernelsOf<VectorLanes>();
+    return kTable;
 }
 
 const Kernels& kernels() {
