@@ -195,6 +195,40 @@ TEST(Decode, NamesAnEdgeOnlyBetweenNeighbouringStripes) {
     }
 }
 
+TEST(Decode, FindsNoEdgeWhereASurfaceEnds) {
+    const Pattern pattern{.bits = 6};
+    for (int above = 0; above < 64; ++above) {
+        for (int below = 0; below < 64; ++below) {
+            if (std::abs(above - below) <= 3) continue;
+            const FrameStack frames =
+                twoCodewords(pattern, grayCodeword(above), grayCodeword(below));
+            EXPECT_EQ(decode(frames, pattern).counts.decoded, 0)
+                << "stripes " << above << " and " << below;
+        }
+    }
+}
+
+TEST(Decode, NamesAnEdgeBesideAPixelThatNoiseMisreads) {
+    const Pattern pattern{.bits = 6};
+    for (int above = 1; above < 62; ++above) {
+        for (int pair = 0; pair < pattern.finestPair(); ++pair) {
+            if (pair == pairOfEdge(above + 1, pattern.bits)) continue;
+            FrameStack frames = twoCodewords(pattern, grayCodeword(above), grayCodeword(above + 1));
+            // The last row above the edge reads the other way, as faintly as can be.
+            const bool lit = pattern.lit(pair, false, above);
+            for (const bool complement : {false, true}) {
+                const int frame = pattern.frameIndex(pair, complement);
+                std::fill_n(frames.pixels.begin() + (frame * 16 + 7) * 16, 16,
+                            std::uint8_t(lit == complement ? 101 : 100));
+            }
+            const Decoded decoded = decode(frames, pattern);
+            const std::size_t cell = decoded.grid.index(above + 1, 5);
+            EXPECT_EQ(decoded.grid.cell[cell], Cell::measured)
+                << "stripe " << above << ", pair " << pair;
+        }
+    }
+}
+
 TEST(Decode, PassesOverPixelsThatTheLightDoesNotReach) {
     const LinearCode code{90.6, 0.03, 0.25};
     StripedScene scene{.code = code, .white_level = 9, .dark_share = 0};

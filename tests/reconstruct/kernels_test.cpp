@@ -52,7 +52,7 @@ protected:
     }
 
     std::vector<float> floats(double low, double high) {
-        std::uniform_real_distribution<float> distribution(float(low), float(high));
+        std::uniform_real_distribution<float> distribution{float(low), float(high)};
         std::vector<float> values(kRoom);
         for (float& value : values) value = distribution(random_);
         return values;
@@ -214,6 +214,8 @@ TEST_P(KernelsIn, FindReferencePlanesAndMoveEdges) {
         const PointPlanes ahead = points(0, 2);
         const PointPlanes behind = points(0, 2);
         const auto known = flags();
+        const auto beyond = flags();
+        const auto places = floats(100, 102);
         const int at = c.offset + 4;
         const auto run = [&](const Kernels& kernel) {
             PointPlanes normal = noPoints();
@@ -221,8 +223,20 @@ TEST_P(KernelsIn, FindReferencePlanesAndMoveEdges) {
             std::vector<float> shift(kRoom);
             std::vector<std::uint8_t> useful = known;
             const ReferencePlaneRow planes{rowFrom(normal, at), &mm_per_px[at], &useful[at]};
-            kernel.referencePlanes({rowFrom(above, at), rowFrom(below, at), rowFrom(ahead, 0),
-                                    rowFrom(behind, 0), 4, 0.15f},
+            kernel.referencePlanes({.above = rowFrom(above, at),
+                                    .below = rowFrom(below, at),
+                                    .ahead = rowFrom(ahead, 0),
+                                    .behind = rowFrom(behind, 0),
+                                    .reach = 4,
+                                    .least_mm_per_px = 0.15f,
+                                    .above_y = &places[at],
+                                    .below_y = &places[at + 1],
+                                    .beyond_above_y = &places[at + 2],
+                                    .beyond_below_y = &places[at + 3],
+                                    .beyond_above = &beyond[at],
+                                    .beyond_below = &beyond[at + 1],
+                                    .largest_jump = 1.5f,
+                                    .largest_bend = 1},
                                    c.count, planes);
             kernel.compensateRow(
                 rowFrom(above, at), {planes.normal, planes.mm_per_px, planes.known},
@@ -428,7 +442,7 @@ TEST_P(KernelsIn, FitWindows) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, KernelsIn, testing::ValuesIn(forms()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& form) { return std::string(form.param.name); });
 
 }  // namespace
 }  // namespace facescan
