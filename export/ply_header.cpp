@@ -39,8 +39,8 @@ Words split(const std::string& line) {
     return words;
 }
 
-std::size_t parseCount(const std::string& word) {
-    std::size_t count = 0;
+std::uint64_t parseCount(const std::string& word) {
+    std::uint64_t count = 0;
     const char* end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, count);
     if (error != std::errc() || stop != end) fail("a count is " + quoted(word));

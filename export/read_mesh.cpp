@@ -28,7 +28,10 @@ std::string readFile(const fs::path& file) {
     if (!fs::exists(file)) fail("no such file");
     if (!fs::is_regular_file(file)) fail("not a regular file");
     std::ifstream stream(file, std::ios::binary);
-    std::string bytes(stream ? fs::file_size(file) : 0, '\0');
+    const std::uintmax_t size = stream ? fs::file_size(file) : 0;
+    std::string bytes;
+    if (size > bytes.max_size()) fail("too large for the memory of this machine");
+    bytes.resize(std::size_t(size));
     stream.read(bytes.data(), std::streamsize(bytes.size()));
     if (!stream) fail("cannot be read");
     return bytes;
@@ -36,7 +39,7 @@ std::string readFile(const fs::path& file) {
 
 /// Holds the sizes that the header claims against the size that the file has.
 void checkSize(const PlyHeader& header, std::size_t file_size) {
-    std::size_t left = file_size - header.size;
+    std::uint64_t left = file_size - header.size;
     if (header.vertices > left / header.vertex_bytes) {
         fail("too short for the " + std::to_string(header.vertices) + " vertices of its header");
     }
@@ -83,15 +86,18 @@ Triangle parseTriangle(const char* bytes, std::size_t vertices, std::size_t inde
 
 Mesh parseMesh(std::string_view bytes, const PlyHeader& header) {
     checkSize(header, bytes.size());
+    // Of a file that is in memory: no number is too large for it.
+    const auto vertices = std::size_t(header.vertices);
+    const auto faces = std::size_t(header.faces);
     Mesh mesh;
-    mesh.vertices.reserve(header.vertices);
-    mesh.triangles.reserve(header.faces);
+    mesh.vertices.reserve(vertices);
+    mesh.triangles.reserve(faces);
     const char* cursor = bytes.data() + header.size;
-    for (std::size_t k = 0; k < header.vertices; ++k, cursor += header.vertex_bytes) {
+    for (std::size_t k = 0; k < vertices; ++k, cursor += header.vertex_bytes) {
         mesh.vertices.push_back(parseVertex(cursor, header, k));
     }
-    for (std::size_t k = 0; k < header.faces; ++k, cursor += kFaceBytes) {
-        mesh.triangles.push_back(parseTriangle(cursor, header.vertices, k));
+    for (std::size_t k = 0; k < faces; ++k, cursor += kFaceBytes) {
+        mesh.triangles.push_back(parseTriangle(cursor, vertices, k));
     }
     return mesh;
 }

@@ -128,7 +128,7 @@ std::vector<Vector3d> shellPoints() {
     zip_stat_t info;
     zip_file_t* file = zip_fopen(archive, "P.npy", 0);
     if (file && zip_stat(archive, "P.npy", 0, &info) == 0) {
-        std::string bytes(info.size, '\0');
+        std::string bytes(std::size_t(info.size), '\0');
         EXPECT_EQ(zip_fread(file, bytes.data(), bytes.size()), zip_int64_t(bytes.size()));
         // After the text that describes it, an array of little-endian floats.
         const std::size_t begin = bytes.find('\n') + 1;
