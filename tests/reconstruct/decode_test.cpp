@@ -214,6 +214,15 @@ TEST(Decode, NamesAnEdgeBesideAPixelThatNoiseMisreads) {
         for (int pair = 0; pair < pattern.finestPair(); ++pair) {
             if (pair == pairOfEdge(above + 1, pattern.bits)) continue;
             FrameStack frames = twoCodewords(pattern, grayCodeword(above), grayCodeword(above + 1));
+            // The next edge says, too, which way the code runs.
+            for (int k = 0; k < pattern.bits; ++k) {
+                for (const bool complement : {false, true}) {
+                    const bool bright = pattern.lit(k, complement, std::uint32_t(above + 2));
+                    const int frame = pattern.frameIndex(k, complement);
+                    std::fill_n(frames.pixels.begin() + (frame * 16 + 12) * 16, 4 * 16,
+                                std::uint8_t(bright ? 200 : 0));
+                }
+            }
             // The last row above the edge reads the other way, as faintly as can be.
             const bool lit = pattern.lit(pair, false, above);
             for (const bool complement : {false, true}) {
