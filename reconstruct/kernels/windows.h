@@ -265,12 +265,13 @@ private:
 
 template <typename Lanes>
 FACESCAN_KERNEL void fitWindows(FitSpan& span) {
-    forLanes<Lanes>(0, FitSpan::kSize, [&]<typename L>(int lane) FACESCAN_INLINE_LAMBDA {
-        WindowFitter<L> fitter(span, lane);
-        L correction;
+    static_assert(FitSpan::kSize % Lanes::kCount == 0);
+    for (int lane = 0; lane < FitSpan::kSize; lane += Lanes::kCount) {
+        WindowFitter<Lanes> fitter(span, lane);
+        Lanes correction;
         fitter.fit(correction).store(span.consistent.data() + lane);
         correction.store(span.correction.data() + lane);
-    });
+    }
 }
 
 }  // namespace facescan
