@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace facescan {
 namespace {
@@ -25,11 +24,10 @@ Point between(const Point& a, const Point& b, float share) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
 }
 
-/// Whether the pixels at the border show the stripe beyond an edge. A moving face shows it in
-/// frames of other moments, a stripe off.
-bool showsStripeBeyond(const PixelPlanes& planes, const Border& border, int code, int column) {
-    const int stripe = border.code_toward > 0 ? code : code - 1;
-    return std::abs(planes.stripe[planes.index(column, border.row)] - stripe) <= 1;
+/// The code of the edge before the stripe that the pixel at the border shows.
+int lastCode(const PixelPlanes& planes, const Border& border, int column) {
+    const int stripe = planes.stripe[planes.index(column, border.row)];
+    return border.code_toward > 0 ? stripe : stripe + 1;
 }
 
 /// How far the next edge lies from the last of a column, px: the stripes go on widening, at half
@@ -48,41 +46,49 @@ float nextWidth(const VertexGrid& grid, int code, int column, int step) {
     return ratio > 1 / kWidest && ratio < kWidest ? next : width;
 }
 
+/// Fills the cell after a column's last edge, where that edge is the column's last.
+bool carryOn(const GridCalibration& calibration, const Border& border, int code, int column,
+             VertexGrid& grid, PointPlanes& points) {
+    constexpr float kLeast = 1;  // px: triangles lower than this would point anywhere
+    const int step = border.code_toward;
+    if (code < 2 || code + 1 >= grid.codes) return false;
+    const std::size_t last = grid.index(code, column);
+    const std::size_t before = grid.index(code - step, column);
+    const std::size_t next = grid.index(code + step, column);
+    if (grid.cell[last] != Cell::measured || grid.cell[before] != Cell::measured ||
+        grid.cell[next] != Cell::empty) {
+        return false;
+    }
+    const float width = nextWidth(grid, code, column, step);
+    const float place = grid.y[last] + width;
+    const float to_border = kHalfPixel - border.beyond(grid.y[last]);
+    if (border.outward * width <= 0 || to_border <= kLeast || border.beyond(place) <= 0) {
+        return false;
+    }
+    const Point edge = calibration.at(code + step, column, place);
+    const float share = std::fmin(to_border / std::fabs(width), 1.0f);
+    points.set(next, between(points[last], edge, share));
+    grid.y[next] = share < 1 ? border.end() : place;
+    grid.contrast[next] = 0;
+    grid.cell[next] = Cell::filled;
+    Extent& extent = grid.extent[code + step];
+    extent.first = std::min(extent.first, column);
+    extent.end = std::max(extent.end, column + 1);
+    return true;
+}
+
 }  // namespace
 
 int carryToBorder(const GridCalibration& calibration, const PixelPlanes& planes, bool rising,
                   VertexGrid& grid, PointPlanes& points) {
-    constexpr float kLeast = 1;  // px: triangles lower than this would point anywhere
     const int sign = rising ? 1 : -1;
     int filled = 0;
     for (const Border& border : {Border{0, -1, -sign}, Border{planes.height - 1, 1, sign}}) {
-        const int step = border.code_toward;
-        for (int code = 2; code + 1 < grid.codes; ++code) {
-            const auto [first, end] = grid.extent[code];
-            for (int column = first; column < end; ++column) {
-                const std::size_t last = grid.index(code, column);
-                const std::size_t before = grid.index(code - step, column);
-                const std::size_t next = grid.index(code + step, column);
-                if (grid.cell[last] != Cell::measured || grid.cell[before] != Cell::measured ||
-                    grid.cell[next] != Cell::empty) {
-                    continue;
-                }
-                const float width = nextWidth(grid, code, column, step);
-                const float to_border = kHalfPixel - border.beyond(grid.y[last]);
-                const bool leaves = border.outward * width > 0 && to_border > kLeast &&
-                                    border.beyond(grid.y[last] + width) > 0;
-                if (!leaves || !showsStripeBeyond(planes, border, code, column)) continue;
-                const float place = grid.y[last] + width;
-                const Point edge = calibration.at(code + step, column, place);
-                const float share = std::fmin(to_border / std::fabs(width), 1.0f);
-                points.set(next, between(points[last], edge, share));
-                grid.y[next] = share < 1 ? border.end() : place;
-                grid.contrast[next] = 0;
-                grid.cell[next] = Cell::filled;
-                Extent& extent = grid.extent[code + step];
-                extent.first = std::min(extent.first, column);
-                extent.end = std::max(extent.end, column + 1);
-                ++filled;
+        for (int column = 0; column < grid.columns; ++column) {
+            // A moving face shows the stripe in frames of other moments, a stripe off.
+            const int code = lastCode(planes, border, column);
+            for (const int candidate : {code - 1, code, code + 1}) {
+                filled += carryOn(calibration, border, candidate, column, grid, points);
             }
         }
     }

@@ -9,7 +9,7 @@ from program import (DATA, STEPS, STILL, Case, DATA_ERROR, NO_INPUT, USAGE, file
 from scaneval import read_ply
 
 STAGES = ['preprocess', 'decode', 'texture', 'filter', 'motion', 'smooth', 'calibrate', 'fill',
-          'tessellate', 'normals', 'quality']
+          'tessellate', 'normals', 'mesh', 'quality']
 
 
 class OneScan(Case):
