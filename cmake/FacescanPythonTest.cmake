@@ -17,7 +17,9 @@ function(facescan_python_test name)
     cmake_parse_arguments(arg "" "SCRIPT" "ARGS;LABELS" ${ARGN})
     add_test(NAME ${name}
         COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/${arg_SCRIPT} ${arg_ARGS})
+    # With Mesa's threads about, the leak checker's own thread crashes now and then when a program
+    # ends; the C++ tests look for leaks.
     set_tests_properties(${name} PROPERTIES
         LABELS "${arg_LABELS}"
-        ENVIRONMENT SCANEVAL_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+        ENVIRONMENT "SCANEVAL_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY};ASAN_OPTIONS=detect_leaks=0")
 endfunction()
