@@ -75,14 +75,9 @@ private:
     Links links_;
 };
 
-void findMeasured(const VertexGrid& grid, std::vector<std::uint8_t>& measured) {
-    measured.resize(grid.size() + VertexGrid::kBeyond);
-    for (std::size_t i = 0; i < grid.size(); ++i) measured[i] = grid.cell[i] == Cell::measured;
-}
-
 /// Empties the cells that fewer than two neighbours continue.
 int rejectUnsupported(const ContinuityLimits& limits, FilterScratch& scratch, VertexGrid& grid) {
-    findMeasured(grid, scratch.measured);
+    markMeasured(grid, scratch.measured);
     LinkFinder finder(grid, scratch.measured, limits, scratch.row);
     int rejected = 0;
     for (int code = 1; code < grid.codes; ++code) {
@@ -120,7 +115,7 @@ void join(std::vector<SurfaceRun>& runs, std::uint32_t a, std::uint32_t b) {
 
 /// Finds the runs of all rows, and which of them are one piece.
 void findRuns(const ContinuityLimits& limits, FilterScratch& scratch, const VertexGrid& grid) {
-    findMeasured(grid, scratch.measured);
+    markMeasured(grid, scratch.measured);
     scratch.runs.clear();
     for (std::vector<std::uint32_t>& row : scratch.run_of) row.resize(grid.columns);
     LinkFinder finder(grid, scratch.measured, limits, scratch.row);

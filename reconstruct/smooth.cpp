@@ -33,10 +33,7 @@ FACESCAN_KERNEL void markSurrounded(const std::uint8_t* __restrict above,
 void markRegularCells(const VertexGrid& grid, const RegularityLimits& limits,
                       SmoothScratch& scratch) {
     const std::size_t columns = grid.columns;
-    scratch.measured.resize(grid.size());
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        scratch.measured[i] = grid.cell[i] == Cell::measured;
-    }
+    markMeasured(grid, scratch.measured);
     scratch.regular.assign(grid.size(), 0);
     for (int code = 1; code + 1 < grid.codes; ++code) {
         const int first = std::max(grid.extent[code].first, 1);

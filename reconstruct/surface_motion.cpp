@@ -40,10 +40,9 @@ bool isMeasured(const VertexGrid& grid, std::size_t i) {
 /// rows around.
 float placeOnReference(const VertexGrid& grid, int code, std::size_t i) {
     const std::size_t row = grid.columns;
-    const auto measured = [&](std::size_t n) { return grid.cell[n] == Cell::measured; };
     const float near = grid.y[i - row] + grid.y[i + row];
-    const bool wide =
-        code >= 4 && code + 3 < grid.codes && measured(i - 3 * row) && measured(i + 3 * row);
+    const bool wide = code >= 4 && code + 3 < grid.codes && isMeasured(grid, i - 3 * row) &&
+                      isMeasured(grid, i + 3 * row);
     if (!wide) return 0.5f * near;
     const float far = grid.y[i - 3 * row] + grid.y[i + 3 * row];
     return (9 * near - far) * (1.0f / 16.0f);
@@ -346,8 +345,7 @@ void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& g
     planes.known.assign(grid.size(), 0);
     planes.ahead.resize(grid.columns);
     planes.behind.resize(grid.columns);
-    planes.measured.resize(grid.size());
-    for (std::size_t i = 0; i < grid.size(); ++i) planes.measured[i] = isMeasured(grid, i);
+    markMeasured(grid, planes.measured);
     planes.none.assign(grid.columns, 0);
     for (int code = 2; code + 1 < grid.codes; code += 2) {
         const int first = std::max(grid.extent[code].first, kReach);

@@ -39,7 +39,6 @@ struct VertexGrid {
                                     ///< brightness from pattern to complement, px
 
     std::vector<float> scratch;  ///< of the size of `y` where a stage needs the old and the new
-    std::vector<Cell> scratch_cell;
 
     std::size_t index(int code, int column) const { return std::size_t(code) * columns + column; }
     std::size_t size() const { return std::size_t(codes) * columns; }
@@ -58,8 +57,13 @@ struct VertexGrid {
              {&y, &contrast, &gradient_x, &gradient_y, &drift_gain, &scratch}) {
             plane->resize(size() + kBeyond);
         }
-        scratch_cell.resize(size());
     }
 };
+
+/// Flags, by cell, where a grid is measured; readable as far beyond the last cell as its planes.
+inline void markMeasured(const VertexGrid& grid, std::vector<std::uint8_t>& measured) {
+    measured.resize(grid.size() + VertexGrid::kBeyond);
+    for (std::size_t i = 0; i < grid.size(); ++i) measured[i] = grid.cell[i] == Cell::measured;
+}
 
 }  // namespace facescan
