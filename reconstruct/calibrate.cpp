@@ -33,7 +33,55 @@ void GridCalibration::prepare(const ScanDescription& scan, int columns, bool rec
     columns_.resize(columns);
     for (int column = 0; column < columns; ++column) columns_[column] = float(across_(column));
     device_ = recover_device ? recoverDevice(scan) : std::nullopt;
-    if (!device_) tabulatePolynomials();
+    places_in_range_.clear();
+    if (!device_) {
+        tabulatePolynomials();
+    } else if (calibration.range_min_mm > 0) {
+        findPlacesInRange();
+    }
+}
+
+void GridCalibration::findPlacesInRange() {
+    const Calibration& calibration = scan_->calibration;
+    const int codes = scan_->pattern.stripes();
+    const int blocks = PlaceRanges::blocksOf(column_count_);
+    places_in_range_.resize(codes, column_count_);
+    for (int code = 1; code < codes; ++code) {
+        const double w = calibration.code(code);
+        // The place, normalised, at which the edge has a depth: by the secant method, for along a
+        // column 1/Z is a line, but for the lens' distortion.
+        const auto placeAt = [&](double u, double depth) {
+            const auto excess = [&](double v) {
+                return 1 / (turned_ ? device_->at(v, u, w) : device_->at(u, v, w))[2] - 1 / depth;
+            };
+            double v0 = -0.5;
+            double v1 = 0.5;
+            double e0 = excess(v0);
+            for (int step = 0; step < 4; ++step) {
+                const double e1 = excess(v1);
+                if (e1 == e0) break;
+                const double v2 = v1 - e1 * (v1 - v0) / (e1 - e0);
+                v0 = v1;
+                e0 = e1;
+                v1 = v2;
+            }
+            return float(v1 * along_.scale + along_.offset);
+        };
+        constexpr float kMarginPx = 2;
+        PlaceRanges::Range before{};
+        for (int node = 0; node <= blocks; ++node) {
+            const double u = across_(std::min(node * PlaceRanges::kColumns, column_count_ - 1));
+            const float nearest = placeAt(u, calibration.range_min_mm);
+            const float farthest = placeAt(u, calibration.range_max_mm);
+            const PlaceRanges::Range here{std::min(nearest, farthest) - kMarginPx,
+                                          std::max(nearest, farthest) + kMarginPx};
+            if (node > 0) {
+                places_in_range_.at(code, node - 1) = {std::min(before.first, here.first),
+                                                       std::max(before.last, here.last)};
+            }
+            before = here;
+        }
+    }
 }
 
 void GridCalibration::tabulatePolynomials() {

@@ -6,6 +6,7 @@
 
 #include "reconstruct/device_model.h"
 #include "reconstruct/kernels/kernels.h"
+#include "reconstruct/place_ranges.h"
 #include "reconstruct/point.h"
 #include "reconstruct/scan.h"
 #include "reconstruct/vertex_grid.h"
@@ -33,8 +34,13 @@ public:
     void row(int code, int first, int count, const float* y, float shift,
              const PointRow& points) const;
 
+    /// Where the edges of a surface in the measurement range lie; everywhere where the device is
+    /// not known.
+    const PlaceRanges& placesInRange() const { return places_in_range_; }
+
 private:
     void tabulatePolynomials();
+    void findPlacesInRange();
 
     // What it is prepared for.
     std::optional<ScanDescription> scan_;
@@ -47,6 +53,7 @@ private:
     std::vector<float> columns_;  ///< normalised place of each column
     std::optional<DeviceModel> device_;
     std::vector<float> terms_;  ///< see PolynomialRow
+    PlaceRanges places_in_range_;
 };
 
 /// Stage "calibrate": the point of every cell that is not empty, from (x, y, code). Points of empty

@@ -25,7 +25,7 @@ int differenceAt(const std::uint8_t* p, const std::uint8_t* c, int x, const Besi
     return p[side.left] + 2 * p[x] + p[side.right] - c[side.left] - 2 * c[x] - c[side.right];
 }
 
-/// Gathers what edges show, batch by batch, and lays what the kernel makes of it into the grid.
+/// Gathers what edges show, run by run, and lays what the kernels make of it into the grid.
 class EdgeLocator {
 public:
     EdgeLocator(const StripeImages& images, const PixelPlanes& planes, EdgeBatch& batch,
@@ -34,141 +34,203 @@ public:
         batch_.count = 0;
     }
 
-    /// The edge of `code` between the rows y and y + 1, which shows in `pair`.
-    void add(int pair, int code, int x, int y) {
-        const bool inside = y > 0 && y + 2 < images_.height;
-        const bool within = x > 0 && x + 1 < images_.width;
-        if (inside && within) {
-            gather(pair, x, y, {-1, 1}, {-1, 0, 1, 2});
-        } else {
-            const int last = images_.height - 1;
-            gather(pair, x, y, {x > 0 ? -1 : 0, x + 1 < images_.width ? 1 : 0},
-                   {y > 0 ? -1 : 0, 0, 1, y + 2 <= last ? 2 : 1});
+    /// `count` edges of `code` between the rows y and y + 1, from the column x on, which show in
+    /// `pair`.
+    void add(int pair, int code, int x, int y, int count) {
+        const bool roomy = x > 0 && x + EdgeRun::kMost < images_.width;
+        if (roomy || count == 1) {
+            gather(pair, code, x, y, count, roomy);
+            return;
         }
-        const int n = batch_.count;
-        batch_.inside[n] = inside;
-        batch_.column[n] = std::uint16_t(x);
-        batch_.code[n] = std::uint16_t(code);
-        batch_.row[n] = y;
-        if (++batch_.count == EdgeBatch::kSize) flush();
+        for (int n = 0; n < count; ++n) add(pair, code, x + n, y, 1);
     }
 
     void flush() {
         kernels().locateEdges(batch_, float(2 * images_.bits));
-        for (int n = 0; n < batch_.count; ++n) insert(n);
+        int lane = 0;
+        for (int n = 0; n < run_count_; ++n) {
+            lay(runs_[n], lane);
+            lane += runs_[n].count;
+        }
         batch_.count = 0;
+        run_count_ = 0;
     }
 
 private:
-    /// @param side   offsets of the columns to either side
-    /// @param lines  offsets of the four rows around the gap below y
-    void gather(int pair, int x, int y, const std::array<int, 2>& side,
-                const std::array<int, 4>& lines) {
-        const int n = batch_.count;
-        const std::uint8_t* p = images_.patternRow(pair, y) + x;
-        const std::uint8_t* c = images_.complementRow(pair, y) + x;
-        const std::uint16_t* b = planes_.brightness.data() + planes_.index(x, y);
+    struct Run {
+        int code;
+        int column;
+        int count;
+    };
+
+    /// @param roomy  whether all columns of a whole run, and those beside, are in the image
+    void gather(int pair, int code, int x, int y, int count, bool roomy) {
+        if (batch_.count + EdgeRun::kMost > EdgeBatch::kSize) flush();
+        const bool inside = y > 0 && y + 2 < images_.height;
+        EdgeRun run;
+        run.pattern = images_.patternRow(pair, y) + x;
+        run.complement = images_.complementRow(pair, y) + x;
+        run.brightness = planes_.brightness.data() + planes_.index(x, y);
+        run.left = x > 0 ? -1 : 0;
+        run.right = x + 1 < images_.width ? 1 : 0;
+        const std::array<int, 4> rows{y > 0 ? -1 : 0, 0, 1, y + 2 < images_.height ? 2 : 1};
         for (int r = 0; r < 4; ++r) {
-            const std::ptrdiff_t line = lines[r] * images_.row_stride;
-            const int p3 = p[line + side[0]] + 2 * p[line] + p[line + side[1]];
-            const int c3 = c[line + side[0]] + 2 * c[line] + c[line + side[1]];
-            batch_.difference[r][n] = p3 - c3;
-            batch_.sum[r][n] = p3 + c3;
-            const std::uint16_t* here = b + std::ptrdiff_t(lines[r]) * planes_.width;
-            batch_.brightness[r][n] = here[side[0]] + 2 * here[0] + here[side[1]];
+            run.rows[r] = rows[r] * images_.row_stride;
+            run.brightness_rows[r] = std::ptrdiff_t(rows[r]) * planes_.width;
         }
-        const std::uint16_t* below = b + planes_.width;
-        batch_.brightness_left[n] = b[side[0]] + below[side[0]];
-        batch_.brightness_right[n] = b[side[1]] + below[side[1]];
+        const int n = batch_.count;
+        if (roomy) {
+            kernels().gatherEdges(run, n, batch_);
+        } else {
+            gatherOne(run, n);
+        }
+        std::fill_n(batch_.inside.begin() + n, EdgeRun::kMost, inside);
+        std::fill_n(batch_.row.begin() + n, EdgeRun::kMost, float(y));
+        runs_[run_count_++] = {code, x, count};
+        batch_.count += count;
     }
 
-    /// Where a column shows one edge twice, the one of the higher contrast stays.
-    void insert(int n) {
-        const int column = batch_.column[n];
-        const std::size_t i = grid_.index(batch_.code[n], column);
-        if (grid_.cell[i] == Cell::measured && grid_.contrast[i] >= batch_.contrast[n]) return;
-        Extent& extent = grid_.extent[batch_.code[n]];
-        extent.first = std::min(extent.first, column);
-        extent.end = std::max(extent.end, column + 1);
-        grid_.cell[i] = Cell::measured;
-        grid_.y[i] = float(batch_.row[n]) + batch_.place[n];
-        grid_.contrast[i] = batch_.contrast[n];
-        grid_.gradient_x[i] = batch_.gradient_x[n];
-        grid_.gradient_y[i] = batch_.gradient_y[n];
-        grid_.drift_gain[i] = batch_.drift_gain[n];
+    /// At the image's border, where a run of full length has no room.
+    void gatherOne(const EdgeRun& run, int n) {
+        const auto smoothed = [&](const auto* at) {
+            return at[run.left] + 2 * at[0] + at[run.right];
+        };
+        for (int r = 0; r < 4; ++r) {
+            const int pattern = smoothed(run.pattern + run.rows[r]);
+            const int complement = smoothed(run.complement + run.rows[r]);
+            batch_.difference[r][n] = pattern - complement;
+            batch_.sum[r][n] = pattern + complement;
+            batch_.brightness[r][n] = smoothed(run.brightness + run.brightness_rows[r]);
+        }
+        const std::uint16_t* above = run.brightness + run.brightness_rows[1];
+        const std::uint16_t* below = run.brightness + run.brightness_rows[2];
+        batch_.brightness_left[n] = above[run.left] + below[run.left];
+        batch_.brightness_right[n] = above[run.right] + below[run.right];
+    }
+
+    void lay(const Run& run, int lane) {
+        Extent& extent = grid_.extent[run.code];
+        extent.first = std::min(extent.first, run.column);
+        extent.end = std::max(extent.end, run.column + run.count);
+        static_assert(int(Cell::empty) == 0 && int(Cell::measured) == 1);
+        const std::size_t i = grid_.index(run.code, run.column);
+        kernels().layEdges(
+            batch_, lane, run.count,
+            {reinterpret_cast<std::uint8_t*>(&grid_.cell[i]), &grid_.y[i], &grid_.contrast[i],
+             &grid_.gradient_x[i], &grid_.gradient_y[i], &grid_.drift_gain[i]});
     }
 
     const StripeImages& images_;
     const PixelPlanes& planes_;
     EdgeBatch& batch_;
+    std::array<Run, EdgeBatch::kSize> runs_;
+    int run_count_ = 0;
     VertexGrid& grid_;
+};
+
+/// Eight classes of edges, side by side.
+class ClassGroup {
+public:
+    static constexpr int kSize = 8;
+
+    explicit ClassGroup(const std::uint8_t* edge_class) { std::memcpy(&bytes_, edge_class, kSize); }
+
+    bool empty() const { return bytes_ == 0; }
+
+    /// Leaves one class alone: a byte for each pixel, its highest bit set where it has the class.
+    ClassGroup where(EdgeClass wanted) const {
+        // No carry leaves a byte, for classes are small numbers.
+        ClassGroup result = *this;
+        result.bytes_ = ~((bytes_ ^ kOnes * wanted) + kOnes * 0x7F) & kOnes * 0x80;
+        return result;
+    }
+    /// How many of the first pixels do not have the class.
+    int lead() const { return bytes_ == 0 ? kSize : std::countr_zero(bytes_) / 8; }
+    /// How many of the first pixels have it.
+    int run() const { return std::countr_one(bytes_ | kOnes * 0x7F) / 8; }
+
+private:
+    static constexpr std::uint64_t kOnes = 0x0101010101010101;
+    std::uint64_t bytes_;
 };
 
 /// Walks over the classified gaps between rows, and names the edges in them.
 class EdgeReader {
 public:
-    EdgeReader(const StripeImages& images, const PixelPlanes& planes, bool rising,
-               EdgeLocator& locator, int codes)
-        : images_(images), planes_(planes), rising_(rising), locator_(locator), codes_(codes) {}
+    EdgeReader(const StripeImages& images, const PixelPlanes& planes, const PlaceRanges& ranges,
+               EdgeLocator& locator, int codes, DecodeCounts& counts)
+        : images_(images),
+          planes_(planes),
+          ranges_(ranges),
+          locator_(locator),
+          codes_(codes),
+          counts_(counts) {}
 
-    /// @returns how many edges of the row run with the device
-    int readRow(const std::uint8_t* edge_class, int y) {
-        const std::uint8_t wanted = rising_ ? kRisingEdge : kFallingEdge;
+    /// Reads the edges that run with the device, of those whose two pixels name them.
+    void readRow(const std::uint8_t* edge_class, int y) {
+        const EdgeClass wanted = counts_.rising ? kRisingEdge : kFallingEdge;
         const std::uint16_t* above = planes_.stripe.data() + planes_.index(0, y);
-        int decoded = 0;
-        for (int first = 0; first < images_.width; first += kGroup) {
-            const int count = std::min(kGroup, images_.width - first);
-            std::uint64_t any = 0;
-            std::memcpy(&any, edge_class + first, count);
-            if (any == 0) continue;
-            // Collected without a branch for each pixel, which none could predict.
-            std::array<int, kGroup> places;
-            std::array<int, kGroup> ambiguous_places;
-            int edges = 0;
-            int ambiguous = 0;
-            for (int x = first; x < first + count; ++x) {
-                places[edges] = x;
-                edges += edge_class[x] == wanted;
-                ambiguous_places[ambiguous] = x;
-                ambiguous += edge_class[x] == kAmbiguousEdge;
+        for (int x = 0; x < images_.width;) {
+            const ClassGroup group(edge_class + x);
+            if (group.empty()) {
+                x += ClassGroup::kSize;
+                continue;
             }
-            for (int n = 0; n < edges; ++n) {
-                const int code = above[places[n]] + int(rising_);
-                decoded += add(pairOfEdge(code, images_.bits), code, places[n], y);
+            x += group.where(wanted).lead();
+            if (x >= images_.width) break;
+            const int run =
+                std::min(ClassGroup(edge_class + x).where(wanted).run(), images_.width - x);
+            int count = std::min(run, 1);
+            while (count < run && above[x + count] == above[x]) ++count;
+            if (count > 0) {
+                const int code = above[x] + int(counts_.rising);
+                add(pairOfEdge(code, images_.bits), code, x, y, count);
             }
-            for (int n = 0; n < ambiguous; ++n) decoded += readAmbiguous(ambiguous_places[n], y);
+            x += count;
         }
-        return decoded;
+    }
+
+    /// Reads the edges whose two pixels disagree in more pairs than one.
+    void readAmbiguousOfRow(const std::uint8_t* edge_class, int y) {
+        for (int first = 0; first < images_.width; first += ClassGroup::kSize) {
+            if (ClassGroup(edge_class + first).where(kAmbiguousEdge).empty()) continue;
+            const int end = std::min(first + ClassGroup::kSize, images_.width);
+            for (int x = first; x < end; ++x) {
+                if (edge_class[x] == kAmbiguousEdge) readAmbiguous(x, y);
+            }
+        }
     }
 
 private:
-    static constexpr int kGroup = 8;
-
-    int add(int pair, int code, int x, int y) {
-        if (code < codes_) locator_.add(pair, code, x, y);
-        return 1;
+    void add(int pair, int code, int x, int y, int count) {
+        counts_.decoded += count;
+        if (code >= codes_) return;
+        if (ranges_.mayHold(code, x, y)) {
+            locator_.add(pair, code, x, y, count);
+        } else {
+            counts_.out_of_range += count;
+        }
     }
 
     /// Where the two pixels disagree in more pairs than one, each of these is a place where an edge
     /// can be: it is one if the other pairs, by both pixels together, name it.
-    int readAmbiguous(int x, int y) {
+    void readAmbiguous(int x, int y) {
         const std::size_t i = planes_.index(x, y);
         const std::uint32_t above = grayCodeword(planes_.stripe[i]);
         const std::uint32_t below = grayCodeword(planes_.stripe[i + planes_.width]);
         const std::uint32_t changed = above ^ below;
-        if (std::has_single_bit(changed) || spansAJump(x, y)) return 0;
-        int decoded = 0;
+        const std::uint32_t joint = jointCodeword(x, y, y + 1);
         for (std::uint32_t rest = changed; rest != 0; rest &= rest - 1) {
             const std::uint32_t bit = rest & (0u - rest);
-            const int pair = images_.bits - 1 - std::countr_zero(bit);
-            const std::uint32_t codeword = jointCodeword(x, y, y + 1, pair);
+            const std::uint32_t codeword = joint & ~bit;
             if (!namesAnEdge(codeword, bit)) continue;
-            const std::uint32_t dark = grayStripe(codeword & ~bit);
+            const std::uint32_t dark = grayStripe(codeword);
             const std::uint32_t lit = grayStripe(codeword | bit);
-            if (((lit > dark) == ((below & bit) != 0)) != rising_) continue;
-            decoded += add(pair, int(std::max(dark, lit)), x, y);
+            if (((lit > dark) == ((below & bit) != 0)) != counts_.rising) continue;
+            if (spansAJump(x, y)) return;
+            const int pair = images_.bits - 1 - std::countr_zero(bit);
+            add(pair, int(std::max(dark, lit)), x, y, 1);
         }
-        return decoded;
     }
 
     /// Whether a surface ends between the rows y and y + 1: the two pixels above and the two below
@@ -183,22 +245,24 @@ private:
     }
 
     /// The stripe that two pixels of a column show together.
-    int jointStripe(int x, int a, int b) const {
-        return int(grayStripe(jointCodeword(x, a, b, -1)));
-    }
+    int jointStripe(int x, int a, int b) const { return int(grayStripe(jointCodeword(x, a, b))); }
 
     /// The codeword that the pixels in the rows a and b of a column show together: each pair by the
-    /// sign of both; that of the pair `without` is left at 0.
-    std::uint32_t jointCodeword(int x, int a, int b, int without) const {
+    /// sign of the sum of both differences, which has to be asked for only where the pixels' own
+    /// signs differ.
+    std::uint32_t jointCodeword(int x, int a, int b) const {
+        const std::uint32_t at_a = grayCodeword(planes_.stripe[planes_.index(x, a)]);
+        const std::uint32_t at_b = grayCodeword(planes_.stripe[planes_.index(x, b)]);
+        std::uint32_t codeword = at_a & at_b;
         const Beside side(x, images_.width);
-        std::uint32_t codeword = 0;
-        for (int pair = 0; pair < images_.bits; ++pair) {
+        for (std::uint32_t rest = at_a ^ at_b; rest != 0; rest &= rest - 1) {
+            const int pair = images_.bits - 1 - std::countr_zero(rest);
             int difference = 0;
             for (const int row : {a, b}) {
                 difference += differenceAt(images_.patternRow(pair, row),
                                            images_.complementRow(pair, row), x, side);
             }
-            codeword = codeword * 2 + std::uint32_t(pair != without && difference > 0);
+            if (difference > 0) codeword |= rest & (0u - rest);
         }
         return codeword;
     }
@@ -211,36 +275,44 @@ private:
 
     const StripeImages& images_;
     const PixelPlanes& planes_;
-    bool rising_;
+    const PlaceRanges& ranges_;
     EdgeLocator& locator_;
     int codes_;
+    DecodeCounts& counts_;
 };
 
 }  // namespace
 
 DecodeCounts decodeEdges(const StripeImages& images, const PixelPlanes& planes,
-                         const Options& options, DecodeScratch& scratch, VertexGrid& grid) {
+                         const PlaceRanges& ranges, const Options& options, DecodeScratch& scratch,
+                         VertexGrid& grid) {
     const int width = images.width;
     const int gaps = images.height - 1;
-    scratch.edge_class.resize(std::size_t(width) * gaps);
+    scratch.edge_class.resize(std::size_t(width) * gaps + ClassGroup::kSize);
+    scratch.ambiguous.resize(gaps);
+    const auto class_row = [&](int y) {
+        return scratch.edge_class.data() + std::size_t(y) * width;
+    };
     EdgeCounts counts;
     for (int y = 0; y < gaps; ++y) {
         const std::uint16_t* stripe = planes.stripe.data() + planes.index(0, y);
         const std::uint8_t* modulation = planes.modulation.data() + planes.index(0, y);
-        const EdgeCounts row = kernels().classifyEdges(
-            stripe, stripe + width, modulation, modulation + width, options.min_modulation, width,
-            scratch.edge_class.data() + std::size_t(y) * width);
+        const EdgeCounts row =
+            kernels().classifyEdges(stripe, stripe + width, modulation, modulation + width,
+                                    options.min_modulation, width, class_row(y));
         counts.found += row.found;
         counts.rising += row.rising;
         counts.falling += row.falling;
+        scratch.ambiguous[y] = row.ambiguous;
     }
 
     DecodeCounts result{.found = counts.found, .rising = counts.rising >= counts.falling};
     grid.reset(std::min(1 << images.bits, kMaxStripesPerRow * images.height), width);
     EdgeLocator locator(images, planes, scratch.batch, grid);
-    EdgeReader reader(images, planes, result.rising, locator, grid.codes);
+    EdgeReader reader(images, planes, ranges, locator, grid.codes, result);
     for (int y = 0; y < gaps; ++y) {
-        result.decoded += reader.readRow(scratch.edge_class.data() + std::size_t(y) * width, y);
+        reader.readRow(class_row(y), y);
+        if (scratch.ambiguous[y] > 0) reader.readAmbiguousOfRow(class_row(y), y);
     }
     locator.flush();
     return result;

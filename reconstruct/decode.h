@@ -6,6 +6,7 @@
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/options.h"
 #include "reconstruct/pixel_planes.h"
+#include "reconstruct/place_ranges.h"
 #include "reconstruct/stripe_images.h"
 #include "reconstruct/vertex_grid.h"
 
@@ -14,12 +15,14 @@ namespace facescan {
 struct DecodeCounts {
     int found = 0;    ///< zero crossings with sufficient modulation
     int decoded = 0;  ///< … whose neighbourhood names one stripe edge, in the device's direction
-    bool rising = true;  ///< whether the code rises with y on this device
+    int out_of_range = 0;  ///< … but cannot lie in the measurement range
+    bool rising = true;    ///< whether the code rises with y on this device
 };
 
 /// Scratch memory of decodeEdges.
 struct DecodeScratch {
-    std::vector<std::uint8_t> edge_class;  ///< of the image's size
+    std::vector<std::uint8_t> edge_class;  ///< of the image's size, and a group of pixels beyond
+    std::vector<int> ambiguous;            ///< by row
     EdgeBatch batch;
 };
 
@@ -31,8 +34,10 @@ struct DecodeScratch {
 /// rises or falls is put to the vote; edges of the minority are dropped.
 ///
 /// The place is that of a line through four pixels with the weights ½ 1 1 ½, or through the inner
-/// two where the outer two belong to something else. The grid is overwritten.
+/// two where the outer two belong to something else. Edges that cannot be in range are left out:
+/// the wall behind the patient costs nothing. The grid is overwritten.
 DecodeCounts decodeEdges(const StripeImages& images, const PixelPlanes& planes,
-                         const Options& options, DecodeScratch& scratch, VertexGrid& grid);
+                         const PlaceRanges& ranges, const Options& options, DecodeScratch& scratch,
+                         VertexGrid& grid);
 
 }  // namespace facescan

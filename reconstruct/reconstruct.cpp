@@ -18,10 +18,12 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
     report = {};
 
     const StripeImages images = stripeImages(frames, scan, work.turned_frames);
+    work.calibration.prepare(scan, images.width, options.recover_device);
     finished(Stage::preprocess);
 
     computePixelPlanes(images, work.planes);
-    const DecodeCounts decoded = decodeEdges(images, work.planes, options, work.decode, work.grid);
+    const DecodeCounts decoded = decodeEdges(images, work.planes, work.calibration.placesInRange(),
+                                             options, work.decode, work.grid);
     report.edges_found = decoded.found;
     report.edges_decoded = decoded.decoded;
     finished(Stage::decode);
@@ -30,12 +32,13 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
     finished(Stage::texture);
 
     StageFindings findings;
-    report.vertices_rejected = rejectFalseEdges(options, decoded.rising, work.filter, work.grid);
+    report.vertices_rejected = decoded.out_of_range;
+    report.vertices_rejected += rejectFalseEdges(options, decoded.rising, work.filter, work.grid);
     findings.stripe_width_px = medianStripeWidth(work.grid, work.values);
-    work.calibration.prepare(scan, work.grid.columns, options.recover_device);
     calibrateCells(work.calibration, work.grid, work.points);
-    findings.out_of_range = rejectOutOfRange(scan.calibration, work.points, work.grid);
-    report.vertices_rejected += findings.out_of_range;
+    const int out_of_range = rejectOutOfRange(scan.calibration, work.points, work.grid);
+    report.vertices_rejected += out_of_range;
+    findings.out_of_range = decoded.out_of_range + out_of_range;
     const SurfaceMiddle middle = findMiddle(work.grid, work.points);
     findings.mm_per_px = millimetresPerPixel(work.calibration, middle);
     finished(Stage::filter);

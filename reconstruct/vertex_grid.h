@@ -43,8 +43,8 @@ struct VertexGrid {
     std::size_t index(int code, int column) const { return std::size_t(code) * columns + column; }
     std::size_t size() const { return std::size_t(codes) * columns; }
 
-    /// The planes of floats hold so many more than cells: what reads a few cells on from the last
-    /// one stays inside.
+    /// The planes hold so many more than cells: what reads a few cells on from the last one stays
+    /// inside.
     static constexpr int kBeyond = 16;
 
     /// Makes all cells empty.
@@ -52,7 +52,7 @@ struct VertexGrid {
         codes = code_count;
         columns = column_count;
         extent.assign(codes, {columns, 0});
-        cell.assign(size(), Cell::empty);
+        cell.assign(size() + kBeyond, Cell::empty);
         for (std::vector<float>* plane :
              {&y, &contrast, &gradient_x, &gradient_y, &drift_gain, &scratch}) {
             plane->resize(size() + kBeyond);

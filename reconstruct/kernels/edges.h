@@ -6,6 +6,47 @@
 
 namespace facescan {
 
+/// Sums three neighbours with the weights 1 2 1 at kMost places side by side.
+template <typename Pixel>
+FACESCAN_INLINE void sumNeighbours(const Pixel* __restrict row, int left, int right,
+                                   std::uint16_t* __restrict sums) {
+#pragma GCC ivdep
+    for (int n = 0; n < EdgeRun::kMost; ++n) {
+        sums[n] = std::uint16_t(row[n + left] + 2 * row[n] + row[n + right]);
+    }
+}
+
+template <typename Form>
+FACESCAN_KERNEL void gatherEdges(const EdgeRun& run, int first, EdgeBatch& batch) {
+    constexpr int kMost = EdgeRun::kMost;
+    for (int r = 0; r < 4; ++r) {
+        std::uint16_t pattern[kMost];
+        std::uint16_t complement[kMost];
+        std::uint16_t brightness[kMost];
+        sumNeighbours(run.pattern + run.rows[r], run.left, run.right, pattern);
+        sumNeighbours(run.complement + run.rows[r], run.left, run.right, complement);
+        sumNeighbours(run.brightness + run.brightness_rows[r], run.left, run.right, brightness);
+        std::int32_t* __restrict to_difference = batch.difference[r].data() + first;
+        std::int32_t* __restrict to_sum = batch.sum[r].data() + first;
+        std::int32_t* __restrict to_brightness = batch.brightness[r].data() + first;
+#pragma GCC ivdep
+        for (int n = 0; n < kMost; ++n) {
+            to_difference[n] = pattern[n] - complement[n];
+            to_sum[n] = pattern[n] + complement[n];
+            to_brightness[n] = brightness[n];
+        }
+    }
+    const std::uint16_t* __restrict above = run.brightness + run.brightness_rows[1];
+    const std::uint16_t* __restrict below = run.brightness + run.brightness_rows[2];
+    std::int32_t* __restrict to_left = batch.brightness_left.data() + first;
+    std::int32_t* __restrict to_right = batch.brightness_right.data() + first;
+#pragma GCC ivdep
+    for (int n = 0; n < kMost; ++n) {
+        to_left[n] = above[n + run.left] + below[n + run.left];
+        to_right[n] = above[n + run.right] + below[n + run.right];
+    }
+}
+
 /// d / s, 0 where s is 0.
 template <typename L>
 FACESCAN_INLINE L ratio(L d, L s) {
@@ -14,7 +55,9 @@ FACESCAN_INLINE L ratio(L d, L s) {
 
 template <typename Lanes>
 FACESCAN_KERNEL void locateEdges(EdgeBatch& batch, float frames) {
-    forLanes<Lanes>(0, batch.count, [&]<typename L>(int i) FACESCAN_INLINE_LAMBDA {
+    static_assert(EdgeBatch::kSize % Lanes::kCount == 0);
+    using L = Lanes;
+    for (int i = 0; i < batch.count; i += L::kCount) {
         const auto at = [i](const auto& column)
                             FACESCAN_INLINE_LAMBDA { return L::load(column.data() + i); };
         const L d1 = at(batch.difference[1]);
@@ -32,7 +75,7 @@ FACESCAN_KERNEL void locateEdges(EdgeBatch& batch, float frames) {
         const L four = L(0.5f) - mean * reciprocal(slope);
         const auto agree = L::Mask::load(batch.inside.data() + i) & (L(0.0f) < slope * (n2 - n1)) &
                            (abs(four - inner) < L(0.5f));
-        select(agree, four, inner).store(batch.place.data() + i);
+        (at(batch.row) + select(agree, four, inner)).store(batch.place.data() + i);
 
         const L contrast = L(0.25f) * abs(d1 - d2);
         contrast.store(batch.contrast.data() + i);
@@ -50,7 +93,30 @@ FACESCAN_KERNEL void locateEdges(EdgeBatch& batch, float frames) {
         const L brightness = (b1 + b2) * L(0.125f / frames);
         const L gain = ratio(brightness, contrast);
         select(d1 < d2, gain, L(0.0f) - gain).store(batch.drift_gain.data() + i);
-    });
+    }
+}
+
+template <typename Lanes>
+FACESCAN_KERNEL void layEdges(const EdgeBatch& batch, int first, int count,
+                              const EdgeCells& cells) {
+    static_assert(EdgeRun::kMost % Lanes::kCount == 0);
+    using L = Lanes;
+    for (int n = 0; n < EdgeRun::kMost; n += L::kCount) {
+        const L contrast = L::load(batch.contrast.data() + first + n);
+        const L there = L::load(cells.contrast + n);
+        const auto measured = L::Mask::load(cells.measured + n);
+        const auto stronger = (!measured) | (there < contrast);
+        const auto take = stronger & (L::countFrom(float(n)) < L(float(count)));
+        const auto lay = [&](const auto& column, float* plane) FACESCAN_INLINE_LAMBDA {
+            select(take, L::load(column.data() + first + n), L::load(plane + n)).store(plane + n);
+        };
+        lay(batch.place, cells.y);
+        lay(batch.contrast, cells.contrast);
+        lay(batch.gradient_x, cells.gradient_x);
+        lay(batch.gradient_y, cells.gradient_y);
+        lay(batch.drift_gain, cells.drift_gain);
+        (measured | take).store(cells.measured + n);
+    }
 }
 
 }  // namespace facescan

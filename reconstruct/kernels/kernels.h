@@ -21,19 +21,33 @@ enum EdgeClass : std::uint8_t {
     kNoEdge,
     kRisingEdge,     ///< the next stripe below
     kFallingEdge,    ///< the stripe before below
-    kAmbiguousEdge,  ///< some other: the two pixels disagree in more than one pair, or in the wrong
-                     ///< one
+    kAmbiguousEdge,  ///< the two pixels disagree in two or three pairs
+    kNamelessEdge,   ///< they disagree in more, or in the wrong one
 };
 struct EdgeCounts {
     int found = 0;  ///< of any class
     int rising = 0;
     int falling = 0;
+    int ambiguous = 0;
+};
+
+/// Where neighbouring edges of one pair show: from a pixel of the row above their gap on. Offsets
+/// lead from there to the four rows around the gap.
+struct EdgeRun {
+    static constexpr int kMost = 8;
+    const std::uint8_t* pattern;
+    const std::uint8_t* complement;
+    std::array<std::ptrdiff_t, 4> rows;
+    const std::uint16_t* brightness;
+    std::array<std::ptrdiff_t, 4> brightness_rows;
+    int left;  ///< to the columns on either side
+    int right;
 };
 
 /// Stripe edges whose places are to be found, side by side. Rows are counted from the one before
 /// the edge's gap: the edge lies between the rows 1 and 2.
 struct EdgeBatch {
-    static constexpr int kSize = 48;
+    static constexpr int kSize = 64;
     template <typename T>
     using Column = std::array<T, kSize>;
 
@@ -46,18 +60,24 @@ struct EdgeBatch {
     Column<std::int32_t> brightness_left;
     Column<std::int32_t> brightness_right;
     Column<std::uint8_t> inside;  ///< 1 where the rows 0 and 3 are rows of the image
-
-    // Where each edge is, for the caller.
-    Column<std::uint16_t> column;
-    Column<std::uint16_t> code;
-    Column<std::int32_t> row;
+    Column<float> row;            ///< row 1
 
     // Results: see EdgeLight.
-    Column<float> place;  ///< px below row 1
+    Column<float> place;  ///< px
     Column<float> contrast;
     Column<float> gradient_x;
     Column<float> gradient_y;
     Column<float> drift_gain;
+};
+
+/// Cells of the vertex grid, side by side: see VertexGrid.
+struct EdgeCells {
+    std::uint8_t* measured;
+    float* y;
+    float* contrast;
+    float* gradient_x;
+    float* gradient_y;
+    float* drift_gain;
 };
 
 /// Cells of one row that lie this many columns apart, with nothing between, can still be one
@@ -348,8 +368,16 @@ struct Kernels {
                                 const std::uint8_t* modulation_below, int min_modulation, int width,
                                 std::uint8_t* edge_class);
 
-    /// Locates the edges of a batch: see decodeEdges().
+    /// Gathers what the edges of a run show into EdgeRun::kMost edges of a batch from `first` on.
+    void (*gatherEdges)(const EdgeRun& run, int first, EdgeBatch& batch);
+
+    /// Locates the edges of a batch, and as many beyond as fill up the lanes: see decodeEdges().
     void (*locateEdges)(EdgeBatch& batch, float frames);
+
+    /// Lays `count` edges of a batch, at most EdgeRun::kMost, into as many cells. Where one is
+    /// measured already, the edge of the higher contrast stays. Beyond these, as many cells as make
+    /// EdgeRun::kMost are read and written as they were.
+    void (*layEdges)(const EdgeBatch& batch, int first, int count, const EdgeCells& cells);
 
     /// Compares the places y of a row with those to their right and in the next row. The row is
     /// read kLargestGap columns beyond its end.

@@ -95,7 +95,13 @@ FACESCAN_KERNEL EdgeCounts classifyEdges(const std::uint16_t* __restrict stripe_
         const std::uint8_t modulation = std::min(modulation_above[x], modulation_below[x]);
         const std::uint16_t lit = modulation >= least ? 0xFFFF : 0;
         const std::uint16_t step = std::uint16_t(stripe_below[x] - stripe_above[x]) & lit;
-        const int any = step != 0 ? int(kAmbiguousEdge) : int(kNoEdge);
+        const std::uint16_t bits = stripe_below[x] ^ stripe_above[x];
+        const std::uint16_t changed = bits ^ bits >> 1;  // of the Gray codewords
+        const std::uint16_t beyond1 = changed & std::uint16_t(changed - 1);
+        const std::uint16_t beyond2 = beyond1 & std::uint16_t(beyond1 - 1);
+        const std::uint16_t beyond3 = beyond2 & std::uint16_t(beyond2 - 1);
+        const int some = beyond1 != 0 && beyond3 == 0 ? int(kAmbiguousEdge) : int(kNamelessEdge);
+        const int any = step != 0 ? some : int(kNoEdge);
         const int rising = step == 1 ? int(kRisingEdge) : any;
         edge_class[x] = std::uint8_t(step == 0xFFFF ? int(kFallingEdge) : rising);
     }
@@ -104,6 +110,7 @@ FACESCAN_KERNEL EdgeCounts classifyEdges(const std::uint16_t* __restrict stripe_
         counts.found += edge_class[x] != kNoEdge;
         counts.rising += edge_class[x] == kRisingEdge;
         counts.falling += edge_class[x] == kFallingEdge;
+        counts.ambiguous += edge_class[x] == kAmbiguousEdge;
     }
     return counts;
 }

@@ -25,7 +25,7 @@ Decoded decode(const FrameStack& frames, const Pattern& pattern, const Options& 
     computePixelPlanes(images, planes);
     DecodeScratch scratch;
     Decoded decoded;
-    decoded.counts = decodeEdges(images, planes, options, scratch, decoded.grid);
+    decoded.counts = decodeEdges(images, planes, {}, options, scratch, decoded.grid);
     return decoded;
 }
 

@@ -42,7 +42,7 @@ VertexGrid decode(const FrameStack& frames, const Pattern& pattern) {
     computePixelPlanes(images, planes);
     DecodeScratch scratch;
     VertexGrid grid;
-    decodeEdges(images, planes, {}, scratch, grid);
+    decodeEdges(images, planes, {}, {}, scratch, grid);
     return grid;
 }
 

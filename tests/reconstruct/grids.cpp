@@ -32,7 +32,8 @@ void cutHole(int code, int column, int codes, int columns, VertexGrid& grid) {
 }
 
 int countCells(const VertexGrid& grid, Cell kind) {
-    return int(std::count(grid.cell.begin(), grid.cell.end(), kind));
+    return int(
+        std::count(grid.cell.begin(), grid.cell.begin() + std::ptrdiff_t(grid.size()), kind));
 }
 
 PointPlanes flatPoints(const VertexGrid& grid) {

@@ -117,17 +117,57 @@ TEST_P(KernelsIn, AddPairs) {
 
 TEST_P(KernelsIn, ClassifyEdges) {
     for (const Case& c : cases()) {
-        const auto above = integers<std::uint16_t>(100, 103);
-        const auto below = integers<std::uint16_t>(100, 103);
+        const auto above = integers<std::uint16_t>(126, 130);
+        const auto below = integers<std::uint16_t>(126, 130);
         const auto modulation = integers<std::uint8_t>(0, 20);
         const auto run = [&](const Kernels& kernel) {
             std::vector<std::uint8_t> classes(kRoom);
             const EdgeCounts counts =
                 kernel.classifyEdges(&above[c.offset], &below[c.offset], &modulation[c.offset],
                                      &modulation[c.offset + 1], 6, c.count, &classes[c.offset]);
-            return std::tuple{classes, counts.found, counts.rising, counts.falling};
+            return std::tuple{classes, counts.found, counts.rising, counts.falling,
+                              counts.ambiguous};
         };
         EXPECT_EQ(run(form()), run(plain())) << c.count << " pixels";
+    }
+}
+
+/// What is gathered of edges, or what is known of them in the end.
+auto gathered(const EdgeBatch& batch) {
+    return std::tuple{batch.difference, batch.sum, batch.brightness, batch.brightness_left,
+                      batch.brightness_right};
+}
+
+TEST_P(KernelsIn, GatherEdges) {
+    for (const int first : {0, 1, 5, EdgeBatch::kSize - EdgeRun::kMost}) {
+        const auto pattern = integers<std::uint8_t>(0, 255);
+        const auto complement = integers<std::uint8_t>(0, 255);
+        const auto brightness = integers<std::uint16_t>(0, 24 * 255);
+        EdgeRun edges{&pattern[40],
+                      &complement[39],
+                      {-13, 0, 13, 26},
+                      &brightness[41],
+                      {-11, 0, 11, 22},
+                      -1,
+                      1};
+        const auto run = [&](const Kernels& kernel) {
+            EdgeBatch batch{};
+            kernel.gatherEdges(edges, first, batch);
+            return batch;
+        };
+        const EdgeBatch batch = run(form());
+        EXPECT_EQ(gathered(batch), gathered(run(plain()))) << "from edge " << first;
+        for (int n = 0; n < EdgeRun::kMost; ++n) {
+            const auto smoothed = [&](const auto& row, int at) {
+                return row[at + n - 1] + 2 * row[at + n] + row[at + n + 1];
+            };
+            EXPECT_EQ(batch.difference[2][first + n],
+                      smoothed(pattern, 53) - smoothed(complement, 52));
+            EXPECT_EQ(batch.sum[3][first + n], smoothed(pattern, 66) + smoothed(complement, 65));
+            EXPECT_EQ(batch.brightness[0][first + n], smoothed(brightness, 30));
+            EXPECT_EQ(batch.brightness_right[first + n],
+                      brightness[41 + n + 1] + brightness[52 + n + 1]);
+        }
     }
 }
 
@@ -146,6 +186,7 @@ TEST_P(KernelsIn, LocateEdges) {
         fill(batch.brightness_left, 0, 8000);
         fill(batch.brightness_right, 0, 8000);
         fill(batch.inside, 0, 1);
+        fill(batch.row, 0, 1000);
         batch.count = count;
         EdgeBatch expected = batch;
         plain().locateEdges(expected, 16);
@@ -160,6 +201,38 @@ TEST_P(KernelsIn, LocateEdges) {
         EXPECT_TRUE(same(batch.gradient_x, expected.gradient_x));
         EXPECT_TRUE(same(batch.gradient_y, expected.gradient_y));
         EXPECT_TRUE(same(batch.drift_gain, expected.drift_gain));
+    }
+}
+
+TEST_P(KernelsIn, LayEdges) {
+    for (int count = 1; count <= EdgeRun::kMost; ++count) {
+        EdgeBatch batch{};
+        for (EdgeBatch::Column<float>* column : {&batch.place, &batch.contrast, &batch.gradient_x,
+                                                 &batch.gradient_y, &batch.drift_gain}) {
+            const auto values = floats(0, 10);
+            std::copy_n(values.begin(), column->size(), column->begin());
+        }
+        const auto measured = flags();
+        const std::array planes{floats(0, 10), floats(0, 10), floats(0, 10), floats(0, 10),
+                                floats(0, 10)};
+        const int at = 7;
+        const auto run = [&](const Kernels& kernel) {
+            std::vector<std::uint8_t> m = measured;
+            auto p = planes;
+            kernel.layEdges(batch, count, count,
+                            {&m[at], &p[0][at], &p[1][at], &p[2][at], &p[3][at], &p[4][at]});
+            return std::pair{m, p};
+        };
+        const auto [m, p] = run(form());
+        EXPECT_EQ(std::pair(m, p), run(plain())) << count << " edges";
+        for (int x = 0; x < kRoom; ++x) {
+            const int n = x - at;
+            const bool laid =
+                n >= 0 && n < count && !(measured[x] && planes[1][x] >= batch.contrast[count + n]);
+            EXPECT_EQ(m[x], measured[x] || laid) << x;
+            EXPECT_EQ(p[0][x], laid ? batch.place[count + n] : planes[0][x]) << x;
+            EXPECT_EQ(p[4][x], laid ? batch.drift_gain[count + n] : planes[4][x]) << x;
+        }
     }
 }
 
