@@ -84,7 +84,10 @@ void robustFits(const FitPlanes& planes, int window, int half_codes,
     span.half_codes = half_codes;
     span.half_columns = shape.half_columns;
     span.per_code = 1.0f / float(shape.half_codes);
-    span.per_column = 1.0f / float(shape.half_columns);
+    for (int k = 0; k <= shape.half_columns; ++k) {
+        span.places[k] = float(k) / float(shape.half_columns);
+        span.squares[k] = span.places[k] * span.places[k];
+    }
     span.fewest = half_codes > 0 ? kFewestOfSurface : kFewestOfRow;
     for (std::size_t first = 0; first < requests.size();) {
         const FitRequest& start = requests[first];

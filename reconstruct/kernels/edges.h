@@ -1,50 +1,62 @@
 #pragma once
 
+#include <cstdint>
+#include <cstring>
+
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/kernels/lanes.h"
 
 namespace facescan {
 
-/// Sums three neighbours with the weights 1 2 1 at kMost places side by side.
+/// Eight integers side by side, in vectors of the compiler's own: unrolled loops over so few it
+/// does not turn into vectors by itself.
+using EightBytes [[gnu::vector_size(8)]] = std::uint8_t;
+using EightWords [[gnu::vector_size(16)]] = std::uint16_t;
+using EightInts [[gnu::vector_size(32)]] = std::int32_t;
+static_assert(EdgeRun::kMost == 8);
+
+FACESCAN_INLINE EightWords loadEight(const std::uint8_t* p) {
+    EightBytes bytes;
+    std::memcpy(&bytes, p, sizeof bytes);
+    return __builtin_convertvector(bytes, EightWords);
+}
+FACESCAN_INLINE EightWords loadEight(const std::uint16_t* p) {
+    EightWords words;
+    std::memcpy(&words, p, sizeof words);
+    return words;
+}
+template <typename Vector>
+FACESCAN_INLINE void storeEight(Vector values, std::int32_t* p) {
+    const EightInts ints = __builtin_convertvector(values, EightInts);
+    std::memcpy(p, &ints, sizeof ints);
+}
+
+/// Sums three neighbours with the weights 1 2 1.
 template <typename Pixel>
-FACESCAN_INLINE void sumNeighbours(const Pixel* __restrict row, int left, int right,
-                                   std::uint16_t* __restrict sums) {
-#pragma GCC ivdep
-    for (int n = 0; n < EdgeRun::kMost; ++n) {
-        sums[n] = std::uint16_t(row[n + left] + 2 * row[n] + row[n + right]);
-    }
+FACESCAN_INLINE EightWords sumNeighbours(const Pixel* row, int left, int right) {
+    const EightWords middle = loadEight(row);
+    return loadEight(row + left) + middle + middle + loadEight(row + right);
 }
 
 template <typename Form>
 FACESCAN_KERNEL void gatherEdges(const EdgeRun& run, int first, EdgeBatch& batch) {
-    constexpr int kMost = EdgeRun::kMost;
+    using SignedWords [[gnu::vector_size(16)]] = std::int16_t;
     for (int r = 0; r < 4; ++r) {
-        std::uint16_t pattern[kMost];
-        std::uint16_t complement[kMost];
-        std::uint16_t brightness[kMost];
-        sumNeighbours(run.pattern + run.rows[r], run.left, run.right, pattern);
-        sumNeighbours(run.complement + run.rows[r], run.left, run.right, complement);
-        sumNeighbours(run.brightness + run.brightness_rows[r], run.left, run.right, brightness);
-        std::int32_t* __restrict to_difference = batch.difference[r].data() + first;
-        std::int32_t* __restrict to_sum = batch.sum[r].data() + first;
-        std::int32_t* __restrict to_brightness = batch.brightness[r].data() + first;
-#pragma GCC ivdep
-        for (int n = 0; n < kMost; ++n) {
-            to_difference[n] = pattern[n] - complement[n];
-            to_sum[n] = pattern[n] + complement[n];
-            to_brightness[n] = brightness[n];
-        }
+        const EightWords pattern = sumNeighbours(run.pattern + run.rows[r], run.left, run.right);
+        const EightWords complement =
+            sumNeighbours(run.complement + run.rows[r], run.left, run.right);
+        storeEight(SignedWords(pattern - complement), batch.difference[r].data() + first);
+        storeEight(pattern + complement, batch.sum[r].data() + first);
+        storeEight(sumNeighbours(run.brightness + run.brightness_rows[r], run.left, run.right),
+                   batch.brightness[r].data() + first);
     }
-    const std::uint16_t* __restrict above = run.brightness + run.brightness_rows[1];
-    const std::uint16_t* __restrict below = run.brightness + run.brightness_rows[2];
-    std::int32_t* __restrict to_left = batch.brightness_left.data() + first;
-    std::int32_t* __restrict to_right = batch.brightness_right.data() + first;
-#pragma GCC ivdep
-    for (int n = 0; n < kMost; ++n) {
-        to_left[n] = above[n + run.left] + below[n + run.left];
-        to_right[n] = above[n + run.right] + below[n + run.right];
-    }
+    const std::uint16_t* above = run.brightness + run.brightness_rows[1];
+    const std::uint16_t* below = run.brightness + run.brightness_rows[2];
+    storeEight(loadEight(above + run.left) + loadEight(below + run.left),
+               batch.brightness_left.data() + first);
+    storeEight(loadEight(above + run.right) + loadEight(below + run.right),
+               batch.brightness_right.data() + first);
 }
 
 /// d / s, 0 where s is 0.

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "reconstruct/point.h"
+#include "reconstruct/window.h"
 
 namespace facescan {
 
@@ -324,7 +325,8 @@ struct FilterWindow {
 /// to be fitted.
 struct FitSpan {
     static constexpr int kSize = 8;
-    static constexpr int kMostCells = 7 * 15;
+    static constexpr int kMostCells =
+        (2 * kWindows.back().half_codes + 1) * (2 * kWindows.back().half_columns + 1);
     template <typename T>
     using Lane = std::array<T, kSize>;
 
@@ -335,8 +337,10 @@ struct FitSpan {
 
     int half_codes = 0;
     int half_columns = 0;
-    float per_code = 1;  ///< scale of the places along the codes …
-    float per_column = 1;
+    float per_code = 1;  ///< scale of the places along the codes
+    /// Places along the columns, by column from the middle on, scaled; and their squares.
+    std::array<float, kWindows.back().half_columns + 1> places{};
+    std::array<float, kWindows.back().half_columns + 1> squares{};
     float fewest = 0;           ///< cells that a fit needs
     Lane<float> cutoff;         ///< px
     Lane<std::uint8_t> wanted;  ///< 1 where a fit is asked for; elsewhere the result is void

@@ -145,7 +145,8 @@ private:
     L right_[kTerms];
 };
 
-/// Fits the windows around neighbouring cells.
+/// Fits the windows around neighbouring cells. The two cells of a row at the same distance from the
+/// middle go together: sums of even powers of u take what they have in common, odd ones the rest.
 template <typename L>
 class WindowFitter {
 public:
@@ -164,8 +165,9 @@ public:
         L cells(0.0f);
         int n = 0;
         for (int r = -span_.half_codes; r <= span_.half_codes; ++r) {
+            const float* present = present_ + r * span_.stride;
             for (int k = -span_.half_columns; k <= span_.half_columns; ++k, ++n) {
-                weight_[n] = L::load(present_ + r * span_.stride + k);
+                weight_[n] = L::load(present + k);
                 cells = cells + weight_[n];
             }
         }
@@ -173,7 +175,8 @@ public:
 
         L a[6];
         possible = possible & solve(a);
-        const L largest = reweigh(a, reciprocal(L(4.0f) * cutoff_));
+        L largest(0.0f);
+        reweigh<true>(a, reciprocal(L(2.0f) * cutoff_), largest);
         // Nothing stands out: the unweighted fit is the best one.
         const auto plain = possible & (largest < L(0.5f) * cutoff_);
         const L plain_correction = a[0];
@@ -181,11 +184,9 @@ public:
             correction = select(plain, plain_correction, L(0.0f));
             return plain;
         }
-        for (const float shrink : {2.0f, 1.0f}) {
-            possible = possible & solve(a);
-            reweigh(a, reciprocal(L(shrink) * cutoff_));
-        }
-        const auto consistent = plain | (possible & (fewest <= support_) & (abs(a[0]) < cutoff_));
+        possible = possible & solve(a);
+        const L support = reweigh<false>(a, reciprocal(cutoff_), largest);
+        const auto consistent = plain | (possible & (fewest <= support) & (abs(a[0]) < cutoff_));
         correction = select(consistent, select(plain, plain_correction, a[0]), L(0.0f));
         return consistent;
     }
@@ -201,27 +202,31 @@ private:
 
     FACESCAN_INLINE typename L::Mask solve(L (&a)[6]) {
         WindowQuadratic<L> quadratic;
-        int n = 0;
-        for (int r = -span_.half_codes; r <= span_.half_codes; ++r) {
-            L w[5] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-            L b[3] = {0.0f, 0.0f, 0.0f};
+        const int half = span_.half_columns;
+        const L* middle_weight = weight_ + half;
+        for (int r = -span_.half_codes; r <= span_.half_codes; ++r, middle_weight += 2 * half + 1) {
             const float* row = y_ + r * span_.stride;
-            for (int k = -span_.half_columns; k <= span_.half_columns; ++k, ++n) {
-                const L u(float(k) * span_.per_column);
-                const L weight = weight_[n];
-                const L value = weight * (L::load(row + k) - middle_);
-                const L weight_u = weight * u;
-                const L weight_u2 = weight_u * u;
-                const L weight_u3 = weight_u2 * u;
-                w[0] = w[0] + weight;
-                w[1] = w[1] + weight_u;
-                w[2] = w[2] + weight_u2;
-                w[3] = w[3] + weight_u3;
-                w[4] = w[4] + weight_u3 * u;
-                const L value_u = value * u;
-                b[0] = b[0] + value;
-                b[1] = b[1] + value_u;
-                b[2] = b[2] + value_u * u;
+            L w[5] = {*middle_weight, 0.0f, 0.0f, 0.0f, 0.0f};
+            L b[3] = {*middle_weight * (L::load(row) - middle_), 0.0f, 0.0f};
+            for (int k = 1; k <= half; ++k) {
+                const L u(span_.places[k]);
+                const L u2(span_.squares[k]);
+                const L right = middle_weight[k];
+                const L left = middle_weight[-k];
+                const L even = right + left;
+                const L odd = (right - left) * u;
+                const L even_u2 = even * u2;
+                w[0] = w[0] + even;
+                w[1] = w[1] + odd;
+                w[2] = w[2] + even_u2;
+                w[3] = w[3] + odd * u2;
+                w[4] = w[4] + even_u2 * u2;
+                const L right_value = right * (L::load(row + k) - middle_);
+                const L left_value = left * (L::load(row - k) - middle_);
+                const L even_value = right_value + left_value;
+                b[0] = b[0] + even_value;
+                b[1] = b[1] + (right_value - left_value) * u;
+                b[2] = b[2] + even_value * u2;
             }
             quadratic.addRow(float(r) * span_.per_code, w, b);
         }
@@ -229,28 +234,39 @@ private:
         return quadratic.solve(kDamping, a);
     }
 
-    /// Tukey's biweight of the residuals. @returns the largest residual
-    FACESCAN_INLINE L reweigh(const L (&a)[6], L inverse_cutoff) {
-        L largest(0.0f);
-        support_ = L(0.0f);
-        int n = 0;
-        for (int r = -span_.half_codes; r <= span_.half_codes; ++r) {
+    /// Tukey's biweight of the residuals.
+    /// @param largest  with `kLargest`: the largest residual
+    /// @returns the sum of the weights
+    template <bool kLargest>
+    FACESCAN_INLINE L reweigh(const L (&a)[6], L inverse_cutoff, L& largest) {
+        L support(0.0f);
+        const int half = span_.half_columns;
+        L* middle_weight = weight_ + half;
+        for (int r = -span_.half_codes; r <= span_.half_codes; ++r, middle_weight += 2 * half + 1) {
             const L v(float(r) * span_.per_code);
             const L c0 = a[0] + v * (a[1] + v * a[5]) + middle_;
             const L c1 = a[2] + v * a[3];
-            const std::ptrdiff_t row = r * span_.stride;
-            for (int k = -span_.half_columns; k <= span_.half_columns; ++k, ++n) {
-                const L u(float(k) * span_.per_column);
-                const L present = L::load(present_ + row + k);
-                const L residual = (L::load(y_ + row + k) - (c0 + u * (c1 + u * a[4]))) * present;
+            const float* y = y_ + r * span_.stride;
+            const float* present = present_ + r * span_.stride;
+            const auto weigh = [&](int k, L surface) FACESCAN_INLINE_LAMBDA {
+                const L here = L::load(present + k);
+                const L residual = L::load(y + k) - surface;
                 const L scaled = residual * inverse_cutoff;
                 const L bell = largerOf(L(1.0f) - scaled * scaled, L(0.0f));
-                weight_[n] = bell * bell * present;
-                support_ = support_ + weight_[n];
-                largest = largerOf(largest, abs(residual));
+                const L weight = bell * bell * here;
+                middle_weight[k] = weight;
+                support = support + weight;
+                if constexpr (kLargest) largest = largerOf(largest, abs(residual * here));
+            };
+            weigh(0, c0);
+            for (int k = 1; k <= half; ++k) {
+                const L even = c0 + L(span_.squares[k]) * a[4];
+                const L odd = L(span_.places[k]) * c1;
+                weigh(k, even + odd);
+                weigh(-k, even - odd);
             }
         }
-        return largest;
+        return support;
     }
 
     const FitSpan& span_;
@@ -259,7 +275,6 @@ private:
     L middle_;
     L cutoff_;
     typename L::Mask wanted_;
-    L support_;
     L weight_[FitSpan::kMostCells];
 };
 
