@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <cstring>
+
+#include "reconstruct/byte_group.h"
 
 namespace facescan {
 namespace {
@@ -128,32 +129,6 @@ private:
     VertexGrid& grid_;
 };
 
-/// Eight classes of edges, side by side.
-class ClassGroup {
-public:
-    static constexpr int kSize = 8;
-
-    explicit ClassGroup(const std::uint8_t* edge_class) { std::memcpy(&bytes_, edge_class, kSize); }
-
-    bool empty() const { return bytes_ == 0; }
-
-    /// Leaves one class alone: a byte for each pixel, its highest bit set where it has the class.
-    ClassGroup where(EdgeClass wanted) const {
-        // No carry leaves a byte, for classes are small numbers.
-        ClassGroup result = *this;
-        result.bytes_ = ~((bytes_ ^ kOnes * wanted) + kOnes * 0x7F) & kOnes * 0x80;
-        return result;
-    }
-    /// How many of the first pixels do not have the class.
-    int lead() const { return bytes_ == 0 ? kSize : std::countr_zero(bytes_) / 8; }
-    /// How many of the first pixels have it.
-    int run() const { return std::countr_one(bytes_ | kOnes * 0x7F) / 8; }
-
-private:
-    static constexpr std::uint64_t kOnes = 0x0101010101010101;
-    std::uint64_t bytes_;
-};
-
 /// Walks over the classified gaps between rows, and names the edges in them.
 class EdgeReader {
 public:
@@ -171,15 +146,15 @@ public:
         const EdgeClass wanted = counts_.rising ? kRisingEdge : kFallingEdge;
         const std::uint16_t* above = planes_.stripe.data() + planes_.index(0, y);
         for (int x = 0; x < images_.width;) {
-            const ClassGroup group(edge_class + x);
-            if (group.empty()) {
-                x += ClassGroup::kSize;
+            const ByteGroup group(edge_class + x);
+            if (group.allZero()) {
+                x += ByteGroup::kSize;
                 continue;
             }
-            x += group.where(wanted).lead();
+            x += group.matches(wanted).lead();
             if (x >= images_.width) break;
             const int run =
-                std::min(ClassGroup(edge_class + x).where(wanted).run(), images_.width - x);
+                std::min(ByteGroup(edge_class + x).matches(wanted).run(), images_.width - x);
             int count = std::min(run, 1);
             while (count < run && above[x + count] == above[x]) ++count;
             if (count > 0) {
@@ -192,9 +167,9 @@ public:
 
     /// Reads the edges whose two pixels disagree in more pairs than one.
     void readAmbiguousOfRow(const std::uint8_t* edge_class, int y) {
-        for (int first = 0; first < images_.width; first += ClassGroup::kSize) {
-            if (ClassGroup(edge_class + first).where(kAmbiguousEdge).empty()) continue;
-            const int end = std::min(first + ClassGroup::kSize, images_.width);
+        for (int first = 0; first < images_.width; first += ByteGroup::kSize) {
+            if (ByteGroup(edge_class + first).matches(kAmbiguousEdge).none()) continue;
+            const int end = std::min(first + ByteGroup::kSize, images_.width);
             for (int x = first; x < end; ++x) {
                 if (edge_class[x] == kAmbiguousEdge) readAmbiguous(x, y);
             }
@@ -288,7 +263,7 @@ DecodeCounts decodeEdges(const StripeImages& images, const PixelPlanes& planes,
                          VertexGrid& grid) {
     const int width = images.width;
     const int gaps = images.height - 1;
-    scratch.edge_class.resize(std::size_t(width) * gaps + ClassGroup::kSize);
+    scratch.edge_class.resize(std::size_t(width) * gaps + ByteGroup::kSize);
     scratch.ambiguous.resize(gaps);
     const auto class_row = [&](int y) {
         return scratch.edge_class.data() + std::size_t(y) * width;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "reconstruct/byte_group.h"
 #include "reconstruct/normal_equations.h"
 
 namespace facescan {
@@ -11,36 +13,104 @@ namespace {
 
 using Terms = std::array<float, 6>;
 
-constexpr std::uint8_t kVisited = 1;
-constexpr std::uint8_t kOnRim = 2;
-constexpr std::uint8_t kFilled = 4;
-
-/// Collects the empty cells connected with `seed` over sides.
-/// @returns whether they stay off the border of the grid
-bool collectRegion(const VertexGrid& grid, std::size_t seed, FillScratch& scratch) {
-    bool enclosed = true;
-    const auto visit = [&](std::size_t i) {
-        if (grid.cell[i] != Cell::empty || scratch.visited[i] & kVisited) return;
-        scratch.visited[i] |= kVisited;
-        scratch.region.push_back(std::uint32_t(i));
-    };
-    scratch.region.clear();
-    visit(seed);
-    for (std::size_t next = 0; next < scratch.region.size(); ++next) {
-        const std::size_t i = scratch.region[next];
-        const int code = int(i / grid.columns);
-        const int column = int(i % grid.columns);
-        if (code <= 1 || code + 1 >= grid.codes || column == 0 || column + 1 >= grid.columns) {
-            enclosed = false;
-            if (code < 1) continue;
+/// Finds the runs of empty cells of all rows but row 0, and which of them are connected over sides.
+/// Those connected with the border of the grid are none.
+class EmptyRegions {
+public:
+    EmptyRegions(const VertexGrid& grid, std::vector<EmptyRun>& runs) : runs_(runs) {
+        runs.clear();
+        std::size_t before = 0;  // the first run of the row before
+        for (int code = 1; code < grid.codes; ++code) {
+            const std::size_t here = runs.size();
+            findRuns(grid, code);
+            joinRows(before, here);
+            before = here;
         }
-        if (column > 0) visit(i - 1);
-        if (column + 1 < grid.columns) visit(i + 1);
-        if (code > 1) visit(i - grid.columns);
-        if (code + 1 < grid.codes) visit(i + grid.columns);
+        // A root comes before all runs of its region.
+        for (std::uint32_t i = 0; i < runs.size(); ++i) {
+            const std::uint32_t root = findRoot(i);
+            runs[i].next = kNone;
+            if (root == i) {
+                runs[i].tail = i;
+            } else {
+                runs[runs[root].tail].next = i;
+                runs[root].tail = i;
+            }
+        }
     }
-    return enclosed;
-}
+
+    /// Calls take(cells) with the cells of each region that does not touch the border.
+    template <typename Take>
+    void forEnclosed(const VertexGrid& grid, std::vector<std::uint32_t>& cells, Take take) const {
+        for (std::uint32_t root = 0; root < runs_.size(); ++root) {
+            if (runs_[root].connected != root || runs_[root].open) continue;
+            cells.clear();
+            for (std::uint32_t i = root; i != kNone; i = runs_[i].next) {
+                for (int x = runs_[i].first; x < runs_[i].end; ++x) {
+                    cells.push_back(std::uint32_t(grid.index(runs_[i].code, x)));
+                }
+            }
+            take();
+        }
+    }
+
+private:
+    static constexpr std::uint32_t kNone = ~0u;
+
+    void findRuns(const VertexGrid& grid, int code) {
+        constexpr auto kEmpty = std::uint8_t(Cell::empty);
+        const Cell* cell = grid.cell.data() + grid.index(code, 0);
+        const int columns = grid.columns;
+        const bool border_row = code == 1 || code + 1 == grid.codes;
+        for (int x = 0; x < columns;) {
+            x += ByteGroup(cell + x).matches(kEmpty).lead();
+            if (x >= columns) break;
+            if (cell[x] != Cell::empty) continue;
+            const int first = x;
+            int run = 0;
+            do {
+                run = ByteGroup(cell + x).matches(kEmpty).run();
+                x += run;
+            } while (run == ByteGroup::kSize && x < columns);
+            const int end = std::min(x, columns);
+            const bool open = border_row || first == 0 || end == columns;
+            const auto self = std::uint32_t(runs_.size());
+            runs_.push_back({code, first, end, open, self, kNone, kNone});
+        }
+    }
+
+    /// Joins the runs from `before` on with those from `here` on, of the next row, that they touch.
+    void joinRows(std::size_t before, std::size_t here) {
+        std::size_t above = before;
+        std::size_t below = here;
+        while (above < here && below < runs_.size()) {
+            const EmptyRun& a = runs_[above];
+            const EmptyRun& b = runs_[below];
+            if (a.first < b.end && b.first < a.end) {
+                join(std::uint32_t(above), std::uint32_t(below));
+            }
+            ++(a.end < b.end ? above : below);
+        }
+    }
+
+    std::uint32_t findRoot(std::uint32_t i) {
+        while (runs_[i].connected != i) {
+            runs_[i].connected = runs_[runs_[i].connected].connected;
+            i = runs_[i].connected;
+        }
+        return i;
+    }
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = findRoot(a);
+        b = findRoot(b);
+        if (a > b) std::swap(a, b);
+        runs_[b].connected = a;
+        runs_[a].open = runs_[a].open || runs_[b].open;
+    }
+
+    std::vector<EmptyRun>& runs_;
+};
 
 /// Collects the cells of the surface up to two cells from the region.
 void collectRim(const VertexGrid& grid, FillScratch& scratch) {
@@ -54,13 +124,13 @@ void collectRim(const VertexGrid& grid, FillScratch& scratch) {
             const int last = std::min(column + kDepth, grid.columns - 1);
             for (int x = std::max(column - kDepth, 0); x <= last; ++x) {
                 const std::size_t n = grid.index(c, x);
-                if (grid.cell[n] == Cell::empty || scratch.visited[n] & kOnRim) continue;
-                scratch.visited[n] |= kOnRim;
+                if (grid.cell[n] == Cell::empty || scratch.on_rim[n]) continue;
+                scratch.on_rim[n] = 1;
                 scratch.rim.push_back(std::uint32_t(n));
             }
         }
     }
-    for (const std::uint32_t n : scratch.rim) scratch.visited[n] &= std::uint8_t(~kOnRim);
+    for (const std::uint32_t n : scratch.rim) scratch.on_rim[n] = 0;
 }
 
 /// The diagonal of the box around the cells that touch the region, mm.
@@ -164,20 +234,18 @@ bool fillRegion(const Options& options, const PointPlanes& points, FillScratch& 
 FillCounts fillHoles(const Options& options, const PointPlanes& points, FillScratch& scratch,
                      VertexGrid& grid) {
     FillCounts counts;
-    scratch.visited.assign(grid.size(), 0);
+    scratch.on_rim.resize(grid.size());
     scratch.residual.resize(grid.size());
-    for (std::size_t seed = grid.columns; seed < grid.size(); ++seed) {
-        if (grid.cell[seed] != Cell::empty || scratch.visited[seed] & kVisited) continue;
-        if (!collectRegion(grid, seed, scratch)) continue;
+    scratch.filled.clear();
+    const EmptyRegions regions(grid, scratch.runs);
+    regions.forEnclosed(grid, scratch.region, [&] {
         ++counts.found;
-        if (!fillRegion(options, points, scratch, grid)) continue;
-        // Marked at once, a hole would pass for the rim of the next.
+        if (!fillRegion(options, points, scratch, grid)) return;
         ++counts.filled;
-        for (const std::uint32_t i : scratch.region) scratch.visited[i] |= kFilled;
-    }
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (scratch.visited[i] & kFilled) grid.cell[i] = Cell::filled;
-    }
+        scratch.filled.insert(scratch.filled.end(), scratch.region.begin(), scratch.region.end());
+    });
+    // Marked at once, a hole would pass for the rim of the next.
+    for (const std::uint32_t i : scratch.filled) grid.cell[i] = Cell::filled;
     return counts;
 }
 

@@ -14,9 +14,22 @@ struct FillCounts {
     int filled = 0;  ///< … that were small enough, and whose rim is one surface
 };
 
+/// Neighbouring empty cells of a row.
+struct EmptyRun {
+    int code;
+    int first;
+    int end;
+    bool open;                ///< in a root: whether its region reaches the border of the grid
+    std::uint32_t connected;  ///< a run of the same region; the root's own index in the root
+    std::uint32_t next;       ///< the next run of the same region
+    std::uint32_t tail;       ///< in a root: the last one
+};
+
 /// Scratch memory of fillHoles.
 struct FillScratch {
-    std::vector<std::uint8_t> visited;
+    std::vector<EmptyRun> runs;
+    std::vector<std::uint8_t> on_rim;   ///< by cell; all 0 between the holes
+    std::vector<std::uint32_t> filled;  ///< the cells of all holes so far
     std::vector<std::uint32_t> region;  ///< the cells of one hole
     std::vector<std::uint32_t> rim;     ///< the measured cells around it
     std::vector<float> residual;        ///< by cell: distance from the fitted surface, px

@@ -9,14 +9,6 @@
 namespace facescan {
 namespace {
 
-/// Flags of the cells of a row, by column; readable kLargestGap columns beyond either end.
-struct Links {
-    std::array<std::uint8_t*, kLargestGap>
-        along;                  ///< continued by the next cell, so many columns on
-    std::uint8_t* across;       ///< continued in the next row
-    std::uint8_t* from_before;  ///< continues the row before
-};
-
 /// Goes over the rows of a grid and finds which of its cells continue each other.
 class LinkFinder {
 public:
@@ -24,75 +16,68 @@ public:
                const ContinuityLimits& limits, std::vector<std::uint8_t>& memory)
         : grid_(grid), measured_(measured), limits_(limits) {
         const std::size_t length = grid.columns + 2 * kLargestGap;
-        memory.assign(length * (kLargestGap + 2), 0);
+        memory.assign(length * (kLargestGap + 3), 0);
         std::uint8_t* row = memory.data() + kLargestGap;
-        for (std::uint8_t*& flags : links_.along) {
-            flags = row;
+        for (std::uint8_t** flags : {&links_.along[0], &links_.along[1], &links_.along[2],
+                                     &links_.across, &from_before_}) {
+            *flags = row;
             row += length;
         }
-        links_.across = row;
-        links_.from_before = row + length;
+        no_next_ = row;
     }
 
-    /// Rows are asked for one after the other, from the first on.
-    const Links& next(int code) {
-        std::swap(links_.across, links_.from_before);
+    /// Goes on to the next row, beginning with the first. @returns whether it holds cells
+    bool next(int code) {
+        std::swap(links_.across, from_before_);
         std::fill_n(links_.across, grid_.columns, std::uint8_t(0));
-        for (std::uint8_t* flags : links_.along) std::fill_n(flags, grid_.columns, 0);
+        for (std::uint8_t* flags : links_.along) std::fill_n(flags, grid_.columns, std::uint8_t(0));
         const auto [first, end] = grid_.extent[code];
-        if (first >= end) return links_;
+        if (first >= end) return false;
 
         const std::size_t row = grid_.index(code, 0);
         const bool has_next = code + 1 < grid_.codes;
-        const float* y = grid_.y.data() + row;
-        const float* next_row = has_next ? y + grid_.columns : y;
-        kernels().compareNeighbours(y, next_row, limits_, first, end,
-                                    {links_.along, links_.across});
-        const std::uint8_t* m = measured_.data() + row;
-        for (int x = first; x < end; ++x) {
-            // The next cell counts, and no other beyond it.
-            const std::uint8_t none1 = std::uint8_t(m[x + 1] ^ 1);
-            const std::uint8_t none2 = std::uint8_t(m[x + 2] ^ 1) & none1;
-            links_.along[0][x] &= m[x] & m[x + 1];
-            links_.along[1][x] &= m[x] & m[x + 2] & none1;
-            links_.along[2][x] &= m[x] & m[x + 3] & none2;
+        const std::size_t next_row = has_next ? row + grid_.columns : row;
+        kernels().linkNeighbours(
+            {grid_.y.data() + row, grid_.y.data() + next_row, measured_.data() + row,
+             has_next ? measured_.data() + next_row : no_next_},
+            limits_, first, end, links_);
+        // What lies beyond the last column is the next row.
+        for (int gap = 1; gap <= kLargestGap; ++gap) {
+            const int inside = std::max(grid_.columns - gap, 0);
+            std::fill(links_.along[gap - 1] + inside, links_.along[gap - 1] + grid_.columns,
+                      std::uint8_t(0));
         }
-        for (int x = std::max(grid_.columns - kLargestGap, 0); x < grid_.columns; ++x) {
-            for (int gap = 1; gap <= kLargestGap; ++gap) {
-                if (x + gap >= grid_.columns) links_.along[gap - 1][x] = 0;
-            }
-        }
-        const std::uint8_t* below = has_next ? m + grid_.columns : m;
-        const std::uint8_t exists = has_next;
-        for (int x = first; x < end; ++x) links_.across[x] &= m[x] & below[x] & exists;
-        return links_;
+        return true;
     }
+
+    const RowLinks& links() const { return links_; }
+    /// Flags of the cells that continue the row before.
+    const std::uint8_t* fromBefore() const { return from_before_; }
 
 private:
     const VertexGrid& grid_;
     const std::vector<std::uint8_t>& measured_;
     ContinuityLimits limits_;
-    Links links_;
+    RowLinks links_;
+    std::uint8_t* from_before_;
+    const std::uint8_t* no_next_;  ///< measured cells of a row beyond the last
 };
 
-/// Empties the cells that fewer than two neighbours continue.
-int rejectUnsupported(const ContinuityLimits& limits, FilterScratch& scratch, VertexGrid& grid) {
+/// Leaves in scratch.kept the measured cells that two neighbours or more continue. @returns how
+/// many are not among them
+int rejectUnsupported(const ContinuityLimits& limits, const VertexGrid& grid,
+                      FilterScratch& scratch) {
     markMeasured(grid, scratch.measured);
+    scratch.kept.assign(scratch.measured.size(), 0);
     LinkFinder finder(grid, scratch.measured, limits, scratch.row);
     int rejected = 0;
     for (int code = 1; code < grid.codes; ++code) {
-        const auto& [along, across, from_before] = finder.next(code);
-        const std::uint8_t* measured = scratch.measured.data() + grid.index(code, 0);
-        Cell* cell = grid.cell.data() + grid.index(code, 0);
-        int emptied = 0;
-        for (int x = grid.extent[code].first; x < grid.extent[code].end; ++x) {
-            const int support = along[0][x] + along[1][x] + along[2][x] + along[0][x - 1] +
-                                along[1][x - 2] + along[2][x - 3] + across[x] + from_before[x];
-            const bool unsupported = measured[x] && support < 2;
-            cell[x] = unsupported ? Cell::empty : cell[x];
-            emptied += unsupported;
-        }
-        rejected += emptied;
+        if (!finder.next(code)) continue;
+        const std::size_t row = grid.index(code, 0);
+        const auto [first, end] = grid.extent[code];
+        rejected += kernels().rejectUnsupported(finder.links(), finder.fromBefore(),
+                                                scratch.measured.data() + row, first, end,
+                                                scratch.kept.data() + row);
     }
     return rejected;
 }
@@ -113,62 +98,74 @@ void join(std::vector<SurfaceRun>& runs, std::uint32_t a, std::uint32_t b) {
     runs[a].cells += runs[b].cells;
 }
 
-/// Finds the runs of all rows, and which of them are one piece.
-void findRuns(const ContinuityLimits& limits, FilterScratch& scratch, const VertexGrid& grid) {
-    markMeasured(grid, scratch.measured);
-    scratch.runs.clear();
+/// Finds the runs of all rows of kept cells, and which of them are one piece.
+void findRuns(const ContinuityLimits& limits, const VertexGrid& grid, FilterScratch& scratch) {
+    std::vector<SurfaceRun>& runs = scratch.runs;
+    runs.clear();
     for (std::vector<std::uint32_t>& row : scratch.run_of) row.resize(grid.columns);
-    LinkFinder finder(grid, scratch.measured, limits, scratch.row);
+    LinkFinder finder(grid, scratch.kept, limits, scratch.row);
     for (int code = 1; code < grid.codes; ++code) {
-        const auto& [along, across, from_before] = finder.next(code);
-        const std::uint8_t* measured = scratch.measured.data() + grid.index(code, 0);
+        if (!finder.next(code)) continue;
+        const RowLinks& links = finder.links();
+        const std::uint8_t* from_before = finder.fromBefore();
+        const std::uint8_t* kept = scratch.kept.data() + grid.index(code, 0);
         std::uint32_t* run_of = scratch.run_of[code % 2].data();
         const std::uint32_t* run_before = scratch.run_of[(code + 1) % 2].data();
+        constexpr std::uint32_t kNone = ~0u;
+        std::uint32_t joined = kNone;  // the run of the row before that was joined last
+        std::uint32_t cells = 0;
         bool continues = false;
-        std::uint32_t last_before = 0;
-        std::uint32_t last_here = ~0u;
         for (int x = grid.extent[code].first; x < grid.extent[code].end; ++x) {
-            if (!measured[x]) continue;
+            if (!kept[x]) continue;
             if (!continues) {
-                scratch.runs.push_back({code, x, x, 0, std::uint32_t(scratch.runs.size())});
+                runs.push_back({code, x, x, 0, std::uint32_t(runs.size())});
+                joined = kNone;
+                cells = 0;
             }
-            continues = along[0][x] | along[1][x] | along[2][x];
-            const auto run = std::uint32_t(scratch.runs.size() - 1);
-            scratch.runs[run].last = x;
-            ++scratch.runs[findRoot(scratch.runs, run)].cells;
+            ++cells;
+            const auto run = std::uint32_t(runs.size() - 1);
             run_of[x] = run;
-            if (!from_before[x] || (run == last_here && run_before[x] == last_before)) continue;
-            last_here = run;
-            last_before = run_before[x];
-            join(scratch.runs, last_before, run);
-        }
-    }
-}
-
-void setCells(VertexGrid& grid, int code, int first, int last, Cell to) {
-    for (int x = first; x <= last; ++x) {
-        Cell& cell = grid.cell[grid.index(code, x)];
-        if (cell == Cell::measured) cell = to;
-    }
-}
-
-/// Empties the pieces of few cells; marks both ends of the runs that stay.
-int sortRuns(const Options& options, std::vector<SurfaceRun>& runs, VertexGrid& grid) {
-    int rejected = 0;
-    for (std::uint32_t i = 0; i < runs.size(); ++i) {
-        const SurfaceRun& run = runs[i];
-        if (runs[findRoot(runs, i)].cells < std::uint32_t(std::max(options.min_component, 0))) {
-            for (int x = run.first; x <= run.last; ++x) {
-                rejected += grid.cell[grid.index(run.code, x)] == Cell::measured;
+            if (from_before[x] && run_before[x] != joined) {
+                joined = run_before[x];
+                join(runs, joined, run);
             }
-            setCells(grid, run.code, run.first, run.last, Cell::empty);
-            continue;
+            continues = links.along[0][x] | links.along[1][x] | links.along[2][x];
+            if (continues) continue;
+            runs[run].last = x;
+            runs[findRoot(runs, run)].cells += cells;
         }
-        const int trim = options.end_columns;
-        setCells(grid, run.code, run.first, std::min(run.first + trim - 1, run.last), Cell::end);
-        setCells(grid, run.code, std::max(run.last - trim + 1, run.first), run.last, Cell::end);
+    }
+}
+
+/// Keeps no pieces of few cells. @returns how many cells these had
+int rejectSmallPieces(int min_component, FilterScratch& scratch, const VertexGrid& grid) {
+    int rejected = 0;
+    for (std::uint32_t i = 0; i < scratch.runs.size(); ++i) {
+        SurfaceRun& run = scratch.runs[i];
+        if (scratch.runs[findRoot(scratch.runs, i)].cells >=
+            std::uint32_t(std::max(min_component, 0)))
+            continue;
+        std::uint8_t* kept = scratch.kept.data() + grid.index(run.code, 0);
+        for (int x = run.first; x <= run.last; ++x) {
+            rejected += kept[x];
+            kept[x] = 0;
+        }
     }
     return rejected;
+}
+
+/// Marks both ends of the runs.
+void markEnds(int columns, const std::vector<SurfaceRun>& runs, VertexGrid& grid) {
+    for (const SurfaceRun& run : runs) {
+        Cell* cell = grid.cell.data() + grid.index(run.code, 0);
+        const auto mark = [&](int first, int last) {
+            for (int x = first; x <= last; ++x) {
+                if (cell[x] == Cell::measured) cell[x] = Cell::end;
+            }
+        };
+        mark(run.first, std::min(run.first + columns - 1, run.last));
+        mark(std::max(run.last - columns + 1, run.first), run.last);
+    }
 }
 
 }  // namespace
@@ -197,9 +194,13 @@ int rejectFalseEdges(const Options& options, bool rising, FilterScratch& scratch
                                   .min_width = 0.4f * stripe_width,
                                   .max_width = 3.5f * stripe_width,
                                   .sign = rising ? 1.0f : -1.0f};
-    const int unsupported = rejectUnsupported(limits, scratch, grid);
-    findRuns(limits, scratch, grid);
-    return unsupported + sortRuns(options, scratch.runs, grid);
+    int rejected = rejectUnsupported(limits, grid, scratch);
+    findRuns(limits, grid, scratch);
+    rejected += rejectSmallPieces(options.min_component, scratch, grid);
+    static_assert(int(Cell::empty) == 0 && int(Cell::measured) == 1);
+    for (std::size_t i = 0; i < grid.size(); ++i) grid.cell[i] = Cell(scratch.kept[i]);
+    markEnds(options.end_columns, scratch.runs, grid);
+    return rejected;
 }
 
 }  // namespace facescan

@@ -26,6 +26,7 @@ struct SurfaceRun {
 struct FilterScratch {
     std::vector<float> widths;
     std::vector<std::uint8_t> measured;  ///< by cell
+    std::vector<std::uint8_t> kept;      ///< by cell
     std::vector<std::uint8_t> row;       ///< flags of single rows
     std::vector<SurfaceRun> runs;
     std::array<std::vector<std::uint32_t>, 2> run_of;  ///< by column, in two rows

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+
+#include "reconstruct/kernels/form.h"
+#include "reconstruct/median.h"
 
 namespace facescan {
 namespace {
@@ -20,14 +24,21 @@ constexpr double kNoisyMm = 0.25;      // before smoothing; smoothing leaves abo
 constexpr double kMovedMm = 2.0;       // compensation is proved up to here
 constexpr double kLostMm = 6.0;
 
+/// Every row of a small image, some ten thousand pixels or more of a large one.
 void measureLight(const PixelPlanes& planes, Report& report) {
     std::array<int, 256> histogram{};
-    for (const std::uint8_t modulation : planes.modulation) ++histogram[modulation];
+    constexpr int kRows = 128;
+    const int step = std::max(planes.height / kRows, 1);
+    double pixels = 0;
+    for (int y = 0; y < planes.height; y += step) {
+        const std::uint8_t* modulation = planes.modulation.data() + planes.index(0, y);
+        for (int x = 0; x < planes.width; ++x) ++histogram[modulation[x]];
+        pixels += planes.width;
+    }
     int lit = 0;
     for (int level = kLitModulation; level < 256; ++level) lit += histogram[level];
-    const double pixels = double(planes.modulation.size());
     report.lit_share = lit / pixels;
-    report.saturated_share = planes.saturated / pixels;
+    report.saturated_share = planes.saturated / double(planes.modulation.size());
     int below = 0;
     for (int level = kLitModulation; level < 256 && 2 * below < lit; ++level) {
         below += histogram[level];
@@ -35,28 +46,46 @@ void measureLight(const PixelPlanes& planes, Report& report) {
     }
 }
 
-/// The pixels between neighbouring stripe edges of one column.
-double coveredPixels(const VertexGrid& grid, float stripe_width) {
-    const float widest = 4 * stripe_width;
-    double sum = 0;
-    for (std::size_t i = grid.columns; i + grid.columns < grid.size(); ++i) {
-        const std::size_t next = i + grid.columns;
-        if (grid.cell[i] == Cell::empty || grid.cell[next] == Cell::empty) continue;
-        const float width = std::fabs(grid.y[next] - grid.y[i]);
-        if (width < widest) sum += width;
+/// The pixels between neighbouring stripe edges of a row and the next, in parts of a pixel, so that
+/// the sum does not depend on its order.
+constexpr float kWidthParts = 256;
+FACESCAN_KERNEL int coveredParts(const Cell* __restrict cell, const Cell* __restrict next_cell,
+                                 const float* __restrict y, const float* __restrict next_y,
+                                 float widest, int count) {
+    int sum = 0;
+    for (int x = 0; x < count; ++x) {
+        const float width = std::fabs(next_y[x] - y[x]);
+        const bool covered = cell[x] != Cell::empty && next_cell[x] != Cell::empty;
+        sum += int((covered && width < widest ? width : 0.0f) * kWidthParts);
     }
     return sum;
 }
 
+double coveredPixels(const VertexGrid& grid, float stripe_width) {
+    std::int64_t parts = 0;
+    for (int code = 1; code + 1 < grid.codes; ++code) {
+        const auto [first, end] = grid.extent[code];
+        if (first >= end) continue;
+        const std::size_t i = grid.index(code, first);
+        const std::size_t next = i + grid.columns;
+        parts += coveredParts(&grid.cell[i], &grid.cell[next], &grid.y[i], &grid.y[next],
+                              4 * stripe_width, end - first);
+    }
+    return double(parts) / double(kWidthParts);
+}
+
 float medianContrast(const VertexGrid& grid, std::vector<float>& scratch) {
     scratch.clear();
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid.cell[i] == Cell::measured) scratch.push_back(grid.contrast[i]);
+    const int step = samplingStep(grid.size());
+    for (int code = 1; code < grid.codes; ++code) {
+        // Along a diagonal, so that every column has its samples.
+        const int first = grid.extent[code].first;
+        for (int column = first + code % step; column < grid.extent[code].end; column += step) {
+            const std::size_t i = grid.index(code, column);
+            if (grid.cell[i] == Cell::measured) scratch.push_back(grid.contrast[i]);
+        }
     }
-    if (scratch.empty()) return 0;
-    const auto middle = scratch.begin() + std::ptrdiff_t(scratch.size() / 2);
-    std::nth_element(scratch.begin(), middle, scratch.end());
-    return *middle;
+    return medianOf(scratch);
 }
 
 void reportMotion(const ScanDescription& scan, const StageFindings& findings, Report& report) {

@@ -94,8 +94,17 @@ struct ContinuityLimits {
     float sign;
 };
 
-/// Marks of the edges of a row that their neighbours' places continue.
-struct NeighbourRow {
+/// A row of the vertex grid and the next one, with flags where they are measured. All are readable
+/// kLargestGap columns beyond the last.
+struct LinkedRows {
+    const float* y;
+    const float* next_y;
+    const std::uint8_t* measured;
+    const std::uint8_t* next_measured;
+};
+
+/// Flags of the cells of a row that others continue.
+struct RowLinks {
     std::array<std::uint8_t*, kLargestGap> along;  ///< … columns to the right
     std::uint8_t* across;                          ///< in the next row
 };
@@ -383,10 +392,15 @@ struct Kernels {
     /// EdgeRun::kMost are read and written as they were.
     void (*layEdges)(const EdgeBatch& batch, int first, int count, const EdgeCells& cells);
 
-    /// Compares the places y of a row with those to their right and in the next row. The row is
-    /// read kLargestGap columns beyond its end.
-    void (*compareNeighbours)(const float* y, const float* next_row, const ContinuityLimits& limits,
-                              int first, int end, const NeighbourRow& near);
+    /// Finds which cells of a row its neighbours to the right and in the next row continue.
+    void (*linkNeighbours)(const LinkedRows& rows, const ContinuityLimits& limits, int first,
+                           int end, const RowLinks& links);
+
+    /// Leaves in `kept` the measured cells of a row that two neighbours or more continue; those in
+    /// the row before by the flags `from_before`. Links are read kLargestGap columns before the
+    /// first. @returns how many are not kept
+    int (*rejectUnsupported)(const RowLinks& links, const std::uint8_t* from_before,
+                             const std::uint8_t* measured, int first, int end, std::uint8_t* kept);
 
     /// The points of `count` edges of a row, by the device or by polynomials.
     void (*deviceRow)(const DeviceRow& device, const EdgeRow& row, int count,
