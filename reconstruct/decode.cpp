@@ -26,7 +26,9 @@ int differenceAt(const std::uint8_t* p, const std::uint8_t* c, int x, const Besi
     return p[side.left] + 2 * p[x] + p[side.right] - c[side.left] - 2 * c[x] - c[side.right];
 }
 
-/// Gathers what edges show, run by run, and lays what the kernels make of it into the grid.
+/// Collects runs of edges; gathers what they show, and lays what the kernels make of it into the
+/// grid. The frames and the grid are larger than caches are: what a run will touch is fetched while
+/// further runs are collected.
 class EdgeLocator {
 public:
     EdgeLocator(const StripeImages& images, const PixelPlanes& planes, EdgeBatch& batch,
@@ -39,14 +41,26 @@ public:
     /// `pair`.
     void add(int pair, int code, int x, int y, int count) {
         const bool roomy = x > 0 && x + EdgeRun::kMost < images_.width;
-        if (roomy || count == 1) {
-            gather(pair, code, x, y, count, roomy);
+        if (!roomy && count > 1) {
+            for (int n = 0; n < count; ++n) add(pair, code, x + n, y, 1);
             return;
         }
-        for (int n = 0; n < count; ++n) add(pair, code, x + n, y, 1);
+        if (edge_count_ + EdgeRun::kMost > EdgeBatch::kSize) flush();
+        runs_[run_count_++] = {pair, code, x, y, count, roomy};
+        edge_count_ += count;
+        // The rows before were there for the edges of the row above.
+        const int last = std::min(y + 2, images_.height - 1);
+        __builtin_prefetch(images_.patternRow(pair, last) + x);
+        __builtin_prefetch(images_.complementRow(pair, last) + x);
+        const std::size_t i = grid_.index(code, x);
+        for (std::vector<float>* plane : {&grid_.y, &grid_.contrast, &grid_.gradient_x,
+                                          &grid_.gradient_y, &grid_.drift_gain}) {
+            __builtin_prefetch(plane->data() + i, 1);
+        }
     }
 
     void flush() {
+        for (int n = 0; n < run_count_; ++n) gather(runs_[n]);
         kernels().locateEdges(batch_, float(2 * images_.bits));
         int lane = 0;
         for (int n = 0; n < run_count_; ++n) {
@@ -55,40 +69,43 @@ public:
         }
         batch_.count = 0;
         run_count_ = 0;
+        edge_count_ = 0;
     }
 
 private:
     struct Run {
+        int pair;
         int code;
         int column;
+        int row;
         int count;
+        bool roomy;  ///< all columns of a whole run, and those beside, are in the image
     };
 
-    /// @param roomy  whether all columns of a whole run, and those beside, are in the image
-    void gather(int pair, int code, int x, int y, int count, bool roomy) {
-        if (batch_.count + EdgeRun::kMost > EdgeBatch::kSize) flush();
+    void gather(const Run& run) {
+        const int x = run.column;
+        const int y = run.row;
         const bool inside = y > 0 && y + 2 < images_.height;
-        EdgeRun run;
-        run.pattern = images_.patternRow(pair, y) + x;
-        run.complement = images_.complementRow(pair, y) + x;
-        run.brightness = planes_.brightness.data() + planes_.index(x, y);
-        run.left = x > 0 ? -1 : 0;
-        run.right = x + 1 < images_.width ? 1 : 0;
+        EdgeRun edges;
+        edges.pattern = images_.patternRow(run.pair, y) + x;
+        edges.complement = images_.complementRow(run.pair, y) + x;
+        edges.brightness = planes_.brightness.data() + planes_.index(x, y);
+        edges.left = x > 0 ? -1 : 0;
+        edges.right = x + 1 < images_.width ? 1 : 0;
         const std::array<int, 4> rows{y > 0 ? -1 : 0, 0, 1, y + 2 < images_.height ? 2 : 1};
         for (int r = 0; r < 4; ++r) {
-            run.rows[r] = rows[r] * images_.row_stride;
-            run.brightness_rows[r] = std::ptrdiff_t(rows[r]) * planes_.width;
+            edges.rows[r] = rows[r] * images_.row_stride;
+            edges.brightness_rows[r] = std::ptrdiff_t(rows[r]) * planes_.width;
         }
         const int n = batch_.count;
-        if (roomy) {
-            kernels().gatherEdges(run, n, batch_);
+        if (run.roomy) {
+            kernels().gatherEdges(edges, n, batch_);
         } else {
-            gatherOne(run, n);
+            gatherOne(edges, n);
         }
         std::fill_n(batch_.inside.begin() + n, EdgeRun::kMost, inside);
         std::fill_n(batch_.row.begin() + n, EdgeRun::kMost, float(y));
-        runs_[run_count_++] = {code, x, count};
-        batch_.count += count;
+        batch_.count += run.count;
     }
 
     /// At the image's border, where a run of full length has no room.
@@ -126,6 +143,7 @@ private:
     EdgeBatch& batch_;
     std::array<Run, EdgeBatch::kSize> runs_;
     int run_count_ = 0;
+    int edge_count_ = 0;
     VertexGrid& grid_;
 };
 

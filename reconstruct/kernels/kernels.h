@@ -48,7 +48,7 @@ struct EdgeRun {
 /// Stripe edges whose places are to be found, side by side. Rows are counted from the one before
 /// the edge's gap: the edge lies between the rows 1 and 2.
 struct EdgeBatch {
-    static constexpr int kSize = 64;
+    static constexpr int kSize = 128;
     template <typename T>
     using Column = std::array<T, kSize>;
 
