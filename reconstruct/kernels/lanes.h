@@ -181,10 +181,10 @@ struct NeonLanes {
         return vmulq_f32(a.v, b.v);
     }
     friend FACESCAN_INLINE Mask operator<(NeonLanes a, NeonLanes b) {
-        return {vcltq_f32(a.v, b.v)};
+        return {isGreater(b.v, a.v)};
     }
     friend FACESCAN_INLINE Mask operator<=(NeonLanes a, NeonLanes b) {
-        return {vcleq_f32(a.v, b.v)};
+        return {isGreaterOrEqual(b.v, a.v)};
     }
     friend FACESCAN_INLINE NeonLanes select(Mask m, NeonLanes a, NeonLanes b) {
         return vbslq_f32(m.m, a.v, b.v);
@@ -198,6 +198,29 @@ struct NeonLanes {
         const uint32x4_t half = vshrq_n_u32(vreinterpretq_u32_f32(a.v), 1);
         return vreinterpretq_f32_u32(vsubq_u32(vdupq_n_u32(0x5F375A86u), half));
     }
+
+private:
+#if defined(__arm__)
+    // For its own intrinsics GCC compares float by float here, 20 cycles each on a Cortex-A8, since
+    // NEON takes the smallest floats for zero.
+    static FACESCAN_INLINE uint32x4_t isGreater(float32x4_t a, float32x4_t b) {
+        uint32x4_t result;
+        asm("vcgt.f32 %q0, %q1, %q2" : "=w"(result) : "w"(a), "w"(b));
+        return result;
+    }
+    static FACESCAN_INLINE uint32x4_t isGreaterOrEqual(float32x4_t a, float32x4_t b) {
+        uint32x4_t result;
+        asm("vcge.f32 %q0, %q1, %q2" : "=w"(result) : "w"(a), "w"(b));
+        return result;
+    }
+#else
+    static FACESCAN_INLINE uint32x4_t isGreater(float32x4_t a, float32x4_t b) {
+        return vcgtq_f32(a, b);
+    }
+    static FACESCAN_INLINE uint32x4_t isGreaterOrEqual(float32x4_t a, float32x4_t b) {
+        return vcgeq_f32(a, b);
+    }
+#endif
 };
 #endif
 
