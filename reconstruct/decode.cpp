@@ -53,8 +53,8 @@ public:
         __builtin_prefetch(images_.patternRow(pair, last) + x);
         __builtin_prefetch(images_.complementRow(pair, last) + x);
         const std::size_t i = grid_.index(code, x);
-        for (std::vector<float>* plane : {&grid_.y, &grid_.contrast, &grid_.gradient_x,
-                                          &grid_.gradient_y, &grid_.drift_gain}) {
+        for (std::vector<float>* plane :
+             {&grid_.y, &grid_.contrast, &grid_.gradient_x, &grid_.gradient_y, &grid_.drift_gain}) {
             __builtin_prefetch(plane->data() + i, 1);
         }
     }

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reconstruct/byte_group.h"
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/median.h"
 
 namespace facescan {
 namespace {
-
-/// Leaves a flag only where the other one is.
-FACESCAN_KERNEL void keepCommon(const std::uint8_t* __restrict other, int count,
-                                std::uint8_t* __restrict flags) {
-#pragma GCC ivdep
-    for (int x = 0; x < count; ++x) flags[x] &= other[x];
-}
 
 /// Flags where a cell and its four neighbours are measured.
 FACESCAN_KERNEL void markSurrounded(const std::uint8_t* __restrict above,
@@ -55,26 +49,23 @@ void markCovered(const VertexGrid& grid, const Window& window,
                  const std::vector<std::uint8_t>& regular, std::vector<std::uint8_t>& row,
                  std::vector<std::uint8_t>& covered) {
     const int reach = window.half_columns;
-    const int count = grid.columns - 2 * reach;
     covered.assign(grid.size(), 0);
-    if (count <= 0) return;
     row.resize(grid.columns);
+    constexpr int kMostRows = 2 * kWindows.back().half_codes + 1;
+    std::array<const std::uint8_t*, kMostRows> rows{};
     for (int code = window.half_codes + 1; code + window.half_codes < grid.codes; ++code) {
         const Extent& extent = grid.extent[code];
         const int first = std::max(extent.first, reach);
         const int end = std::min(extent.end, grid.columns - reach);
         if (first >= end) continue;
-        // Down the window's columns first, then along its rows.
-        std::fill(row.begin() + first - reach, row.begin() + end + reach, std::uint8_t(1));
-        for (int c = code - window.half_codes; c <= code + window.half_codes; ++c) {
-            keepCommon(regular.data() + grid.index(c, first - reach), end - first + 2 * reach,
-                       row.data() + first - reach);
+        const int count = 2 * window.half_codes + 1;
+        for (int r = 0; r < count; ++r) {
+            rows[r] = regular.data() + grid.index(code - window.half_codes + r, first - reach);
         }
-        std::uint8_t* out = covered.data() + grid.index(code, 0);
-        std::fill(out + first, out + end, std::uint8_t(1));
-        for (int dx = -reach; dx <= reach; ++dx) {
-            keepCommon(row.data() + first + dx, end - first, out + first);
-        }
+        kernels().keepCommon(rows.data(), count, end - first + 2 * reach,
+                             row.data() + first - reach);
+        kernels().keepSurrounded(row.data(), reach, first, end,
+                                 covered.data() + grid.index(code, 0));
     }
 }
 
@@ -105,37 +96,28 @@ private:
 
 using WindowCounts = std::array<int, kWindows.size()>;
 
-/// Flags the measured cells that the window which serves for them covers, and counts them.
-FACESCAN_KERNEL WindowCounts
-markRegular(const std::array<const std::uint8_t*, kWindows.size()>& covered,
-            const std::uint8_t* __restrict measured, const std::uint8_t* __restrict window_of,
-            int count, std::uint8_t* __restrict regular) {
-    const std::uint8_t* __restrict narrow = covered[0];
-    const std::uint8_t* __restrict middle = covered[1];
-    const std::uint8_t* __restrict wide = covered[2];
+/// Flags by window the measured cells that the window which serves for them covers, and in `rest`
+/// the other measured cells.
+FACESCAN_KERNEL WindowCounts sortCells(
+    const std::array<const std::uint8_t*, kWindows.size()>& covered,
+    const std::uint8_t* __restrict measured, const std::uint8_t* __restrict window_of, int count,
+    const std::array<std::uint8_t*, kWindows.size()>& filtered, std::uint8_t* __restrict rest) {
+    WindowCounts counts{};
+    std::copy_n(measured, count, rest);
+    for (int window = 0; window < int(counts.size()); ++window) {
+        const std::uint8_t* __restrict of_window = covered[window];
+        std::uint8_t* __restrict to = filtered[window];
+        const auto wanted = std::uint8_t(window);
 #pragma GCC ivdep
-    for (int x = 0; x < count; ++x) {
-        const std::uint8_t wider = window_of[x] == 1 ? middle[x] : wide[x];
-        regular[x] = (window_of[x] == 0 ? narrow[x] : wider) & measured[x];
-    }
-    WindowCounts wanted{};
-    for (int window = 0; window < int(wanted.size()); ++window) {
+        for (int x = 0; x < count; ++x) {
+            to[x] = of_window[x] & measured[x] & std::uint8_t(window_of[x] == wanted ? 1 : 0);
+            rest[x] ^= to[x];
+        }
         int sum = 0;
-        for (int x = 0; x < count; ++x) sum += regular[x] & (window_of[x] == window);
-        wanted[window] = sum;
+        for (int x = 0; x < count; ++x) sum += to[x];
+        counts[window] = sum;
     }
-    return wanted;
-}
-
-/// Takes what a window's filter made of a row where the window is the cells' own.
-FACESCAN_KERNEL void takeFiltered(const std::uint8_t* __restrict window_of,
-                                  const std::uint8_t* __restrict regular, int window,
-                                  const float* __restrict filtered, int count,
-                                  float* __restrict smoothed) {
-    for (int x = 0; x < count; ++x) {
-        const bool take = regular[x] && window_of[x] == window;
-        smoothed[x] = take ? filtered[x] : smoothed[x];
-    }
+    return counts;
 }
 
 /// Smooths the cells for which a window's fixed filter serves, and lists the other measured cells
@@ -145,39 +127,45 @@ public:
     RegularFilter(const VertexGrid& grid, const NoiseLimits& limits, SmoothScratch& scratch)
         : grid_(grid), limits_(limits), scratch_(scratch) {
         for (auto& requests : scratch.irregular) requests.clear();
-        scratch.filtered.resize(grid.columns);
+        for (auto& row : scratch.column_sums) row.resize(grid.columns);
+        for (auto& row : scratch.wanted) row.resize(grid.columns);
         scratch.window_of.resize(grid.columns);
-        scratch.row.resize(grid.columns);
+        scratch.row.resize(grid.columns + ByteGroup::kSize);
     }
 
     void filterRow(int code, std::vector<float>& smoothed) {
         const auto [first, end] = grid_.extent[code];
-        const int count = end - first;
-        if (count <= 0) return;
-        const std::size_t i = grid_.index(code, first);
+        if (first >= end) return;
+        const std::size_t row = grid_.index(code, 0);
+        const std::size_t i = row + first;
         std::uint8_t* window_of = scratch_.window_of.data();
-        std::uint8_t* regular = scratch_.row.data();
-        kernels().chooseWindows(&grid_.contrast[i], limits_.noiseGreyLevels(), count, window_of);
-        const std::uint8_t* measured = &scratch_.measured[i];
-        const WindowCounts wanted =
-            markRegular({&scratch_.covered[0][i], &scratch_.covered[1][i], &scratch_.covered[2][i]},
-                        measured, window_of, count, regular);
+        std::uint8_t* rest = scratch_.row.data();
+        auto& wanted = scratch_.wanted;
+        kernels().chooseWindows(&grid_.contrast[i], limits_.noiseGreyLevels(), end - first,
+                                window_of + first);
+        const WindowCounts counts =
+            sortCells({&scratch_.covered[0][i], &scratch_.covered[1][i], &scratch_.covered[2][i]},
+                      &scratch_.measured[i], window_of + first, end - first,
+                      {&wanted[0][first], &wanted[1][first], &wanted[2][first]}, rest + first);
         for (int window = 0; window < int(kWindows.size()); ++window) {
-            if (wanted[window] == 0) continue;
-            const Window& shape = kWindows[window];
+            if (counts[window] == 0) continue;
             // Nearer to the border no window is covered.
-            const int begin = std::max(shape.half_columns - first, 0);
-            const int stop = std::min(count, grid_.columns - shape.half_columns - first);
-            kernels().filterRow(&grid_.y[i], grid_.columns,
-                                {shape.half_codes, shape.half_columns, fixedWeights(window).data()},
-                                begin, stop, scratch_.filtered.data());
-            takeFiltered(window_of, regular, window, scratch_.filtered.data(), count, &smoothed[i]);
+            const int reach = kWindows[window].half_columns;
+            kernels().filterRow({&grid_.y[row],
+                                 grid_.columns,
+                                 wanted[window].data(),
+                                 {scratch_.column_sums[0].data(), scratch_.column_sums[1].data()},
+                                 &smoothed[row]},
+                                fixedFilter(window), std::max(first, reach),
+                                std::min(end, grid_.columns - reach));
         }
-        for (int x = 0; x < count; ++x) {
-            if (measured[x] == regular[x]) continue;
-            scratch_.irregular[window_of[x]].push_back({std::uint16_t(code),
-                                                        std::uint16_t(first + x),
-                                                        limits_.cutoffPx(grid_.contrast[i + x])});
+        for (int x = first; x < end;) {
+            x += ByteGroup(rest + x).matches(1).lead();
+            if (x >= end) break;
+            if (!rest[x]) continue;
+            scratch_.irregular[window_of[x]].push_back(
+                {std::uint16_t(code), std::uint16_t(x), limits_.cutoffPx(grid_.contrast[row + x])});
+            ++x;
         }
     }
 

@@ -29,9 +29,12 @@ struct SmoothScratch {
     std::vector<std::uint8_t> measured;
     std::vector<std::uint8_t> regular;
     std::array<std::vector<std::uint8_t>, kWindows.size()> covered;  ///< by window
-    std::vector<std::uint8_t> row;                                   ///< of one row: flags
-    std::vector<std::uint8_t> window_of;                             ///< of one row
-    std::vector<float> filtered;                                     ///< of one row
+    // Of one row.
+    std::vector<std::uint8_t> row;
+    std::vector<std::uint8_t> window_of;
+    std::array<std::vector<std::uint8_t>, kWindows.size()> wanted;
+    std::array<std::vector<float>, 2> column_sums;
+
     std::array<std::vector<FitRequest>, kWindows.size()> irregular;  ///< by window
     FitPlanes planes;
     std::vector<FitRequest> own_row;

@@ -7,28 +7,32 @@
 namespace facescan {
 namespace {
 
-std::vector<float> computeFixedWeights(const Window& window) {
+FixedFilter computeFixedFilter(const Window& window) {
     constexpr int kTerms = 6;  // 1, v, u, v u, u², v²: v along the codes, u along the columns
+    const auto place = [](int n, int half) { return double(n) / half; };
     NormalEquations<double, kTerms> equations;
-    std::vector<std::array<double, kTerms>> rows;
     for (int c = -window.half_codes; c <= window.half_codes; ++c) {
         for (int x = -window.half_columns; x <= window.half_columns; ++x) {
-            const double v = double(c) / window.half_codes;
-            const double u = double(x) / window.half_columns;
-            rows.push_back({1, v, u, v * u, u * u, v * v});
-            equations.add(rows.back(), 0, 1);
+            const double v = place(c, window.half_codes);
+            const double u = place(x, window.half_columns);
+            equations.add({1, v, u, v * u, u * u, v * v}, 0, 1);
         }
     }
-    // The value in the middle is linear in the data: solve for each cell's unit impulse.
-    std::vector<float> weights;
-    for (const auto& row : rows) {
-        NormalEquations<double, kTerms> impulse = equations;
-        impulse.addRight(row, 1);
-        std::array<double, kTerms> solution{};
-        impulse.solve(solution);
-        weights.push_back(float(solution[0]));
+    // The value in the middle is the solution's first number: a row of the inverse times the sums
+    // on the right. By symmetry only those with 1, u² and v² count.
+    equations.addRight({1, 0, 0, 0, 0, 0}, 1);
+    std::array<double, kTerms> inverse{};
+    equations.solve(inverse);
+    FixedFilter filter{window.half_codes, window.half_columns, {}, {}};
+    for (int k = 0; k <= window.half_columns; ++k) {
+        const double u = place(k, window.half_columns);
+        filter.along[k] = float(inverse[0] + inverse[4] * u * u);
     }
-    return weights;
+    for (int r = 0; r <= window.half_codes; ++r) {
+        const double v = place(r, window.half_codes);
+        filter.across[r] = float(inverse[5] * v * v);
+    }
+    return filter;
 }
 
 FACESCAN_KERNEL void copyMeasured(const Cell* __restrict cell, const float* __restrict y, int count,
@@ -47,10 +51,10 @@ constexpr int kBeyond = FitSpan::kSize;
 
 }  // namespace
 
-const std::vector<float>& fixedWeights(int window) {
-    static const std::array<std::vector<float>, kWindows.size()> table{
-        computeFixedWeights(kWindows[0]), computeFixedWeights(kWindows[1]),
-        computeFixedWeights(kWindows[2])};
+const FixedFilter& fixedFilter(int window) {
+    static const std::array<FixedFilter, kWindows.size()> table{computeFixedFilter(kWindows[0]),
+                                                                computeFixedFilter(kWindows[1]),
+                                                                computeFixedFilter(kWindows[2])};
     return table[window];
 }
 

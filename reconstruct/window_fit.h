@@ -6,14 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "reconstruct/kernels/kernels.h"
 #include "reconstruct/vertex_grid.h"
 #include "reconstruct/window.h"
 
 namespace facescan {
 
-/// The weights of a window's cells, row after row, that give the value in its middle of the
-/// quadratic in code and column fitted to them all (Savitzky & Golay 1964).
-const std::vector<float>& fixedWeights(int window);
+/// The weights of a window's cells that give the value in its middle of the quadratic in code and
+/// column fitted to them all (Savitzky & Golay 1964).
+const FixedFilter& fixedFilter(int window);
 
 /// The measured edges of a grid with a margin as wide as the widest window, so that a window at the
 /// border is like any other.

@@ -323,11 +323,22 @@ struct RegularityLimits {
     float noise_grey_levels;
 };
 
-/// A filter over 2 half_codes + 1 rows and 2 half_columns + 1 columns, its weights row after row.
-struct FilterWindow {
+/// A filter over 2 half_codes + 1 rows and 2 half_columns + 1 columns, alike in both directions:
+/// the cell r rows and k columns from the middle has the weight along[k] + across[r].
+struct FixedFilter {
     int half_codes;
     int half_columns;
-    const float* weights;
+    std::array<float, kWindows.back().half_columns + 1> along;
+    std::array<float, kWindows.back().half_codes + 1> across;
+};
+
+/// A row of the vertex grid to be filtered.
+struct FilteredRow {
+    const float* y;                 ///< the row …
+    int columns;                    ///< … and how far it is to the next
+    const std::uint8_t* wanted;     ///< 1 where a result is asked for
+    std::array<float*, 2> scratch;  ///< of a row
+    float* filtered;                ///< results; other places stay as they are
 };
 
 /// Neighbouring cells of a row of the grid, through the window around each of which a quadratic is
@@ -463,9 +474,17 @@ struct Kernels {
     void (*chooseWindows)(const float* contrast, float noise_grey_levels, int count,
                           std::uint8_t* window);
 
-    /// Filters the columns first … end − 1 of the row `middle_row` of a grid of that many columns.
-    void (*filterRow)(const float* middle_row, int columns, const FilterWindow& window, int first,
-                      int end, float* filtered);
+    /// Leaves in `common` the flags that all of `count` rows have.
+    void (*keepCommon)(const std::uint8_t* const* rows, int count, int columns,
+                       std::uint8_t* common);
+
+    /// Leaves in `common`, from the column first to end − 1, a flag where all columns up to `reach`
+    /// away have one.
+    void (*keepSurrounded)(const std::uint8_t* flags, int reach, int first, int end,
+                           std::uint8_t* common);
+
+    /// Filters the columns first … end − 1 of a row.
+    void (*filterRow)(const FilteredRow& row, const FixedFilter& filter, int first, int end);
 
     /// Fits the windows of a span: see robustFits().
     void (*fitWindows)(FitSpan& span);

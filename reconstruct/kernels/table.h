@@ -40,6 +40,8 @@ constexpr Kernels kernelsOf() {
         .vertexQuality = vertexQuality<Lanes>,
         .markRegular = markRegular<Lanes>,
         .chooseWindows = chooseWindows<Lanes>,
+        .keepCommon = keepCommon<Lanes>,
+        .keepSurrounded = keepSurrounded<Lanes>,
         .filterRow = filterRow<Lanes>,
         .fitWindows = fitWindows<Lanes>,
     };

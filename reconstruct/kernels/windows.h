@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/kernels/lanes.h"
@@ -40,18 +43,70 @@ FACESCAN_KERNEL void chooseWindows(const float* contrast, float noise_grey_level
     });
 }
 
-template <typename Lanes>
-FACESCAN_KERNEL void filterRow(const float* middle_row, int columns, const FilterWindow& window,
-                               int first, int end, float* filtered) {
-    const int reach = window.half_columns;
-    forLanes<Lanes>(first, end, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
-        const float* weight = window.weights;
-        L sum(0.0f);
-        for (int c = -window.half_codes; c <= window.half_codes; ++c) {
-            const float* row = middle_row + std::ptrdiff_t(c) * columns + x - reach;
-            for (int dx = 0; dx <= 2 * reach; ++dx) sum = sum + L(*weight++) * L::load(row + dx);
+template <typename Form>
+FACESCAN_KERNEL void keepCommon(const std::uint8_t* const* rows, int count, int columns,
+                                std::uint8_t* common) {
+    std::copy_n(rows[0], columns, common);
+    for (int r = 1; r < count; ++r) {
+        const std::uint8_t* __restrict row = rows[r];
+        std::uint8_t* __restrict to = common;
+#pragma GCC ivdep
+        for (int x = 0; x < columns; ++x) to[x] &= row[x];
+    }
+}
+
+template <typename Form>
+FACESCAN_KERNEL void keepSurrounded(const std::uint8_t* flags, int reach, int first, int end,
+                                    std::uint8_t* common) {
+    // Along 1, 2, 4 … columns at once; the last step overlaps the one before.
+    constexpr int kChunk = 512;
+    constexpr int kMostReach = 8;
+    std::uint8_t memory[kChunk + 2 * kMostReach];
+    for (int begin = first; begin < end; begin += kChunk) {
+        const int count = std::min(kChunk, end - begin);
+        const int width = 2 * reach + 1;
+        int length = count + 2 * reach;
+        std::copy_n(flags + begin - reach, length, memory);
+        for (int covered = 1; covered < width;) {
+            const int step = std::min(covered, width - covered);
+            length -= step;
+            std::uint8_t* row = memory;
+            for (int x = 0; x < length; ++x) row[x] = row[x] & row[x + step];
+            covered += step;
         }
-        sum.store(filtered + x);
+        std::copy_n(memory, count, common + begin);
+    }
+}
+
+template <typename Lanes>
+FACESCAN_KERNEL void filterRow(const FilteredRow& row, const FixedFilter& filter, int first,
+                               int end) {
+    float* sums = row.scratch[0];
+    float* bends = row.scratch[1];
+    const int reach = filter.half_columns;
+    // Down the columns: the sum, and the sum by the weights across the codes.
+    forLanes<Lanes>(first - reach, end + reach, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
+        const float* y = row.y + x;
+        L sum = L::load(y);
+        L bend(0.0f);
+        for (int r = 1; r <= filter.half_codes; ++r) {
+            const std::ptrdiff_t step = std::ptrdiff_t(r) * row.columns;
+            const L both = L::load(y - step) + L::load(y + step);
+            sum = sum + both;
+            bend = bend + L(filter.across[r]) * both;
+        }
+        sum.store(sums + x);
+        bend.store(bends + x);
+    });
+    forLanes<Lanes>(first, end, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
+        const auto wanted = L::Mask::load(row.wanted + x);
+        L result = L(filter.along[0]) * L::load(sums + x) + L::load(bends + x);
+        for (int k = 1; k <= reach; ++k) {
+            const L both = L::load(sums + x - k) + L::load(sums + x + k);
+            result = result + L(filter.along[k]) * both + L::load(bends + x - k) +
+                     L::load(bends + x + k);
+        }
+        select(wanted, result, L::load(row.filtered + x)).store(row.filtered + x);
     });
 }
 
