@@ -1,31 +1,10 @@
 #include "reconstruct/edge_bias.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "reconstruct/kernels/kernels.h"
 
 namespace facescan {
-namespace {
-
-/// dy/dx of the stripe edge at a cell, from its neighbours on the same surface; 0 where unknown.
-float edgeSlope(const VertexGrid& grid, std::size_t i, int column) {
-    constexpr float kSteepest = 3.0f;
-    float sum = 0;
-    int sides = 0;
-    if (column > 0 && grid.cell[i - 1] == Cell::measured) {
-        sum += grid.y[i] - grid.y[i - 1];
-        ++sides;
-    }
-    if (column + 1 < grid.columns && grid.cell[i + 1] == Cell::measured) {
-        sum += grid.y[i + 1] - grid.y[i];
-        ++sides;
-    }
-    if (sides == 0) return 0;
-    const float slope = sum / float(sides);
-    return std::fabs(slope) < kSteepest ? slope : 0.0f;
-}
-
-}  // namespace
-
 PairDrift driftWithinPairs(const Pattern& pattern,
                            const std::array<ImageMotion, kMaxBits>& image_motions) {
     // Frames from one pair's moment to the next, and from its pattern to its complement.
@@ -43,22 +22,26 @@ PairDrift driftWithinPairs(const Pattern& pattern,
     return drift;
 }
 
-void correctEdgeBias(double lens_blur_px, const PairDrift& drift, int bits, VertexGrid& grid) {
-    constexpr float kLargestShift = 0.5f;  // px; beyond it the model does not hold
-    const float variance = float(lens_blur_px * lens_blur_px);
-    grid.scratch = grid.y;
+void correctEdgeBias(double lens_blur_px, const PairDrift& drift, int bits,
+                     std::vector<std::uint8_t>& measured, VertexGrid& grid) {
+    // Neighbours beyond the borders are none.
+    measured.assign(grid.columns + 2, 0);
+    std::uint8_t* const flags = measured.data() + 1;
     for (int code = 1; code < grid.codes; ++code) {
-        const ImagePoint& pair_drift = drift[pairOfEdge(code, bits)];
-        for (int column = 0; column < grid.columns; ++column) {
-            const std::size_t i = grid.index(code, column);
-            if (grid.cell[i] == Cell::empty) continue;
-            const float blur =
-                variance * (grid.gradient_y[i] - grid.gradient_x[i] * edgeSlope(grid, i, column));
-            const float change =
-                pair_drift.column * grid.gradient_x[i] + pair_drift.y * grid.gradient_y[i];
-            const float shift = blur + grid.drift_gain[i] * change;
-            grid.scratch[i] = grid.y[i] + std::clamp(shift, -kLargestShift, kLargestShift);
+        const auto [first, end] = grid.extent[code];
+        if (first >= end) continue;
+        const std::size_t row = grid.index(code, 0);
+        for (int x = std::max(first - 1, 0); x < std::min(end + 1, grid.columns); ++x) {
+            flags[x] = grid.cell[row + x] == Cell::measured;
         }
+        const std::size_t i = row + first;
+        const ImagePoint& pair_drift = drift[pairOfEdge(code, bits)];
+        kernels().correctBias({flags + first, &grid.y[i], &grid.gradient_x[i], &grid.gradient_y[i],
+                               &grid.drift_gain[i]},
+                              {.variance = float(lens_blur_px * lens_blur_px),
+                               .drift_column = pair_drift.column,
+                               .drift_y = pair_drift.y},
+                              end - first, &grid.scratch[i]);
     }
     grid.y.swap(grid.scratch);
 }

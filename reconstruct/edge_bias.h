@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "reconstruct/image_motion.h"
 #include "reconstruct/pattern.h"
@@ -28,6 +30,8 @@ PairDrift driftWithinPairs(const Pattern& pattern,
 /// |∂(P − C)/∂y|).
 ///
 /// @param lens_blur_px  σ
-void correctEdgeBias(double lens_blur_px, const PairDrift& drift, int bits, VertexGrid& grid);
+/// @param measured      scratch memory
+void correctEdgeBias(double lens_blur_px, const PairDrift& drift, int bits,
+                     std::vector<std::uint8_t>& measured, VertexGrid& grid);
 
 }  // namespace facescan

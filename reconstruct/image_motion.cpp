@@ -19,22 +19,26 @@ struct HalfImage {
     const std::uint16_t* row(int y) const { return pixels + std::ptrdiff_t(y) * width; }
 };
 
+/// @param halved  scratch memory: three halved rows
 HalfImage blurredHalf(const StripeImages& images, int pair, std::vector<std::uint16_t>& halved,
                       std::vector<std::uint16_t>& out) {
     const int width = images.width / 2;
     const int height = images.height / 2;
-    halved.resize(std::size_t(width) * height);
-    out.resize(halved.size());
-    for (int y = 0; y < height; ++y) {
+    constexpr int kRows = 3;
+    halved.resize(std::size_t(width) * kRows);
+    out.resize(std::size_t(width) * height);
+    const auto row = [&](int y) {
+        return halved.data() + std::size_t(std::clamp(y, 0, height - 1) % kRows) * width;
+    };
+    const auto halve = [&](int y) {
         kernels().halveRows(
             {images.patternRow(pair, 2 * y), images.patternRow(pair, 2 * y + 1),
              images.complementRow(pair, 2 * y), images.complementRow(pair, 2 * y + 1)},
-            width, halved.data() + std::size_t(y) * width);
-    }
-    const auto row = [&](int y) {
-        return halved.data() + std::size_t(std::clamp(y, 0, height - 1)) * width;
+            width, row(y));
     };
+    if (height > 0) halve(0);
     for (int y = 0; y < height; ++y) {
+        if (y + 1 < height) halve(y + 1);
         kernels().blurRows({row(y - 1), row(y), row(y + 1)}, width,
                            out.data() + std::size_t(y) * width);
     }
@@ -112,14 +116,20 @@ public:
     /// Gauss–Newton steps from `state`; false where the images do not determine a motion.
     bool refine(Registration& state) const {
         constexpr int kSteps = 4;
+        constexpr float kSettled = 0.002f;  // px of the half image
         float scale = 0;
         for (int step = 0; step < kSteps; ++step) {
+            const ImageMotion before = state.motion;
             if (!improve(state, scale)) return false;
             const ImageMotion& m = state.motion;
             if (std::fabs(m.column) > kLargestShift || std::fabs(m.y) > kLargestShift ||
                 std::fabs(m.turn) > kLargestTurn || std::fabs(m.scale) > kLargestTurn) {
                 return false;
             }
+            // The first step is without robust weights.
+            const bool settled = std::fabs(m.column - before.column) < kSettled &&
+                                 std::fabs(m.y - before.y) < kSettled;
+            if (step > 0 && settled) break;
         }
         return true;
     }

@@ -26,7 +26,7 @@ struct ImagePoint {
 
 /// Scratch memory of estimateImageMotion.
 struct ImageMotionScratch {
-    std::vector<std::uint16_t> halved;     ///< pattern + complement at half size
+    std::vector<std::uint16_t> halved;     ///< rows of pattern + complement at half size
     std::vector<std::uint16_t> reference;  ///< the finest pair's image, halved and blurred
     std::vector<std::uint16_t> current;
     std::vector<std::uint8_t> on_surface;

@@ -55,7 +55,7 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
             compensateMotion(surface, findings.motion, images.bits, work.grid);
     }
     const PairDrift drift = driftWithinPairs(scan.pattern, findings.image_motions);
-    correctEdgeBias(options.lens_blur_px, drift, images.bits, work.grid);
+    correctEdgeBias(options.lens_blur_px, drift, images.bits, work.edge_bias_flags, work.grid);
     finished(Stage::motion);
 
     findings.noise = estimateNoise(work.grid, work.values);

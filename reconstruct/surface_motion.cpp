@@ -49,7 +49,8 @@ float placeOnReference(const VertexGrid& grid, int code, std::size_t i) {
 }
 
 /// What holds beside a jump of the surface, where the finest pair's rows above and below an edge
-/// are not one surface. It reads the grid as it was seen: rows of odd codes do not move.
+/// are not one surface. Of the grid it reads the edge itself and rows of odd codes, which do not
+/// move.
 class BesideJump {
 public:
     explicit BesideJump(const MeasuredSurface& surface)
@@ -209,31 +210,43 @@ constexpr float kTurnStepRad = 0.0007f;
 /// The equations of a pair's vertices.
 void collectEquations(const MeasuredSurface& surface, const Point& centre, int pair, int bits,
                       AlignmentEquations& equations) {
-    constexpr int kSpacing = 3;  // neighbouring columns say nearly the same
+    // Neighbouring columns say nearly the same, and some thousand vertices as much as all.
+    constexpr int kLeastSpacing = 3;
+    constexpr int kEnough = 4000;
     const VertexGrid& grid = surface.grid;
     const ReferencePlanes& planes = surface.planes;
     const int step = 1 << (bits - 1 - pair);
-    for (std::vector<float>& plane : equations.row) plane.clear();
-    equations.distance.clear();
+    const int cells = grid.codes / (2 * step) * grid.columns;
+    const int spacing = std::max(kLeastSpacing, cells / kEnough);
+    std::size_t count = 0;
+    const auto makeRoom = [&](std::size_t size) {
+        for (std::vector<float>& plane : equations.row) plane.resize(size);
+        equations.distance.resize(size);
+    };
     for (int code = step; code + 1 < grid.codes; code += 2 * step) {
         const auto [first, end] = grid.extent[code];
-        for (int column = first + code / step % kSpacing; column < end; column += kSpacing) {
+        if (first >= end) continue;
+        makeRoom(count + std::size_t((end - first) / spacing + 1));
+        for (int column = first + code / step % spacing; column < end; column += spacing) {
             const std::size_t i = grid.index(code, column);
             if (!planes.known[i] || grid.cell[i] != Cell::measured) continue;
             const Vector n = toVector(planes.normal[i]);
             const Vector lever = cross(surface.points[i] - centre, n);
             for (int k = 0; k < 3; ++k) {
-                equations.row[k].push_back(n[k]);
-                equations.row[3 + k].push_back(lever[k]);
+                equations.row[k][count] = n[k];
+                equations.row[3 + k][count] = lever[k];
             }
-            equations.distance.push_back((placeOnReference(grid, code, i) - grid.y[i]) *
-                                         planes.mm_per_px[i]);
+            equations.distance[count++] =
+                (placeOnReference(grid, code, i) - grid.y[i]) * planes.mm_per_px[i];
         }
     }
-    equations.count = int(equations.distance.size());
-    const int padded = (equations.count + kSumLanes - 1) / kSumLanes * kSumLanes;
-    for (std::vector<float>& plane : equations.row) plane.resize(padded, 0.0f);
-    equations.distance.resize(padded, 0.0f);
+    equations.count = int(count);
+    const std::size_t padded = (count + kSumLanes - 1) / kSumLanes * kSumLanes;
+    makeRoom(padded);
+    for (std::vector<float>& plane : equations.row) {
+        std::fill(plane.begin() + std::ptrdiff_t(count), plane.end(), 0.0f);
+    }
+    std::fill(equations.distance.begin() + std::ptrdiff_t(count), equations.distance.end(), 0.0f);
 }
 
 /// The weight of an equation whose value has this standard deviation.
@@ -252,6 +265,8 @@ float motionLooseness(const ImageMotion& image) {
 RigidMotion alignPair(const AlignmentEquations& vertices, const ImageToSpace& to_space,
                       const ImageMotion& image, const RigidMotion& next) {
     constexpr int kSteps = 4;
+    constexpr float kSettledMm = 0.001f;
+    constexpr float kSettledRad = 1e-5f;
     constexpr float kModelErrorMm = 0.05f;  // a vertex is not trusted beyond this
     constexpr float kIndependent = 1000;    // … nor are thousands of them more than this many
     constexpr float kCut = 3.5f;            // of the robust weights, mean absolute residuals
@@ -289,8 +304,15 @@ RigidMotion alignPair(const AlignmentEquations& vertices, const ImageToSpace& to
         equations.add({0, 0, 0, 1, 0, 0}, next.rotation[0], step_weight);
         equations.add({0, 0, 0, 0, 1, 0}, next.rotation[1], step_weight);
         equations.add({0, 0, 0, 0, 0, 1}, turn, turn_weight);
+        const Equations::Vector before = motion;
         if (!equations.solve(motion)) return {{lateral[0], lateral[1], depth}, {0, 0, turn}};
         if (count > 0) scale = sums.residuals / count;
+        bool settled = step > 0;  // the first step is without robust weights
+        for (int k = 0; k < 6; ++k) {
+            const float limit = k < 3 ? kSettledMm : kSettledRad;
+            settled = settled && std::fabs(motion[k] - before[k]) < limit;
+        }
+        if (settled) break;
     }
     return {{motion[0], motion[1], motion[2]}, {motion[3], motion[4], motion[5]}};
 }
@@ -413,14 +435,13 @@ int compensateMotion(const MeasuredSurface& surface, const SurfaceMotion& motion
     const ReferencePlanes& planes = surface.planes;
     const BesideJump beside(surface);
     int emptied = 0;
-    grid.scratch = grid.y;
     for (int code = 2; code + 1 < grid.codes; code += 2) {
         const auto [first, end] = grid.extent[code];
         if (first >= end) continue;
         const std::size_t row = grid.index(code, 0);
         const RigidMotion& rigid = motion.pairs[pairOfEdge(code, bits)];
         // The shifts of the whole row first; where no plane is known they are void.
-        float* moved_y = grid.scratch.data() + row;
+        float* shifts = grid.scratch.data() + row;
         kernels().compensateRow(
             rowFrom(surface.points, row + first),
             {rowFrom(planes.normal, row + first), planes.mm_per_px.data() + row + first,
@@ -428,25 +449,24 @@ int compensateMotion(const MeasuredSurface& surface, const SurfaceMotion& motion
             {{motion.centre.x, motion.centre.y, motion.centre.z},
              rigid.translation,
              rigid.rotation},
-            end - first, moved_y + first);
+            end - first, shifts + first);
         // Where the surface's direction is not known, the shift is that of the last cell that knew.
         float shift = 0;
         for (int column = first; column < end; ++column) {
             const std::size_t i = row + column;
             if (planes.known[i]) {
-                shift = moved_y[column];
+                shift = shifts[column];
             } else if (grid.cell[i] != Cell::empty) {
                 beside.shiftAt(code, column, motion.centre, rigid, shift);
             }
-            moved_y[column] = grid.y[i] + shift;
+            grid.y[i] += shift;
             if (std::fabs(shift) > kMoved && grid.cell[i] != Cell::empty &&
-                beside.isOutline(code, column, moved_y[column])) {
+                beside.isOutline(code, column, grid.y[i])) {
                 grid.cell[i] = Cell::empty;
                 ++emptied;
             }
         }
     }
-    grid.y.swap(grid.scratch);
     return emptied;
 }
 

@@ -32,6 +32,7 @@ struct Workspace {
     ReferencePlanes reference_planes;
     ImageMotionScratch image_motion;
     AlignmentEquations motion;
+    std::vector<std::uint8_t> edge_bias_flags;
     FilterScratch filter;
     SmoothScratch smooth;
     FillScratch fill;

@@ -203,6 +203,23 @@ struct MotionAbout {
     std::array<float, 3> rotation;
 };
 
+/// A row of edges and the light around them: see VertexGrid.
+struct EdgeLightRow {
+    const std::uint8_t*
+        measured;    ///< flags, from one column before the first to one after the last
+    const float* y;  ///< likewise
+    const float* gradient_x;
+    const float* gradient_y;
+    const float* drift_gain;
+};
+
+/// What displaces an edge where the reflectance changes: see correctEdgeBias().
+struct BiasModel {
+    float variance;      ///< of the camera's point spread, px²
+    float drift_column;  ///< of the image within the edge's pair, px
+    float drift_y;
+};
+
 /// The normal equations of six unknowns: the lower triangle of the products row by row, the
 /// products with the value, and the sum of the residuals' moduli.
 struct SixSums {
@@ -425,6 +442,10 @@ struct Kernels {
     /// Moves `count` edges of a row by a rigid motion: see compensateMotion().
     void (*compensateRow)(const ConstPointRow& points, const ConstReferencePlaneRow& planes,
                           const MotionAbout& motion, int count, float* shift);
+
+    /// The places of `count` edges without their bias: see correctEdgeBias().
+    void (*correctBias)(const EdgeLightRow& row, const BiasModel& model, int count,
+                        float* corrected);
 
     /// Sums the normal equations of an alignment: see estimateSurfaceMotion().
     void (*sumAlignment)(const AlignmentBatch& batch, const std::array<float, 6>& motion,

@@ -99,6 +99,31 @@ FACESCAN_KERNEL void compensateRow(const ConstPointRow& points,
     });
 }
 
+template <typename Lanes>
+FACESCAN_KERNEL void correctBias(const EdgeLightRow& row, const BiasModel& model, int count,
+                                 float* corrected) {
+    forLanes<Lanes>(0, count, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
+        constexpr float kSteepest = 3;
+        constexpr float kLargestShift = 0.5f;  // px; beyond it the model does not hold
+        const L zero(0.0f);
+        const L y = L::load(row.y + x);
+        const auto left = L::Mask::load(row.measured + x - 1);
+        const auto right = L::Mask::load(row.measured + x + 1);
+        const L rise = select(left, y - L::load(row.y + x - 1), zero) +
+                       select(right, L::load(row.y + x + 1) - y, zero);
+        const L slope = rise * select(left & right, L(0.5f), L(1.0f));
+        const L gentle = select(abs(slope) < L(kSteepest), slope, zero);
+
+        const L gradient_x = L::load(row.gradient_x + x);
+        const L gradient_y = L::load(row.gradient_y + x);
+        const L blur = L(model.variance) * (gradient_y - gradient_x * gentle);
+        const L change = L(model.drift_column) * gradient_x + L(model.drift_y) * gradient_y;
+        const L shift = blur + L::load(row.drift_gain + x) * change;
+        const L bounded = smallerOf(largerOf(shift, L(-kLargestShift)), L(kLargestShift));
+        (y + bounded).store(corrected + x);
+    });
+}
+
 /// Adds up weighted equations row · unknowns = value, and the moduli of their residuals.
 template <typename L>
 class SixEquations {

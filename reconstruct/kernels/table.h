@@ -28,6 +28,7 @@ constexpr Kernels kernelsOf() {
         .polynomialRow = polynomialRow<Lanes>,
         .referencePlanes = referencePlanes<Lanes>,
         .compensateRow = compensateRow<Lanes>,
+        .correctBias = correctBias<Lanes>,
         .sumAlignment = sumAlignment<Lanes>,
         .warpPixels = warpPixels<Lanes>,
         .sumRegistration = sumRegistration<Lanes>,

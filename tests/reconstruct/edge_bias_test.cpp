@@ -46,6 +46,11 @@ VertexGrid decode(const FrameStack& frames, const Pattern& pattern) {
     return grid;
 }
 
+void correctBias(double blur_px, const PairDrift& drift, int bits, VertexGrid& grid) {
+    std::vector<std::uint8_t> scratch;
+    correctEdgeBias(blur_px, drift, bits, scratch, grid);
+}
+
 struct Offset {
     double mean;
     double rms;
@@ -87,7 +92,7 @@ TEST_P(EdgeBias, OfLensBlurIsUndone) {
 
     const double expected = -kBlur * kBlur * (per_y - per_x * kSlope);
     EXPECT_NEAR(offsetFromPlane(grid).mean, expected, 0.009) << "as seen";
-    correctEdgeBias(kBlur, {}, kPattern.bits, grid);
+    correctBias(kBlur, {}, kPattern.bits, grid);
     EXPECT_NEAR(offsetFromPlane(grid).mean, 0, 0.009) << "as corrected";
     EXPECT_LT(offsetFromPlane(grid).rms, 0.05);
 }
@@ -101,7 +106,7 @@ TEST(EdgeBias, IsLeftAloneWithoutBlurAndDrift) {
     VertexGrid grid = makeGrid(32, 40, [](int code, int x) { return 4.0 * code + 0.1 * x; });
     std::fill(grid.gradient_y.begin(), grid.gradient_y.end(), 0.05f);
     const std::vector<float> before = grid.y;
-    correctEdgeBias(0, {}, 5, grid);
+    correctBias(0, {}, 5, grid);
     EXPECT_EQ(grid.y, before);
 }
 
@@ -145,7 +150,7 @@ TEST(EdgeBias, OfDriftWithinAPairIsUndone) {
     VertexGrid corrected = seen;
     PairDrift pairs{};
     pairs.fill(drift);
-    correctEdgeBias(scene.camera_blur_px, pairs, kPattern.bits, corrected);
+    correctBias(scene.camera_blur_px, pairs, kPattern.bits, corrected);
 
     int edges = 0;
     double corrected_squares = 0;

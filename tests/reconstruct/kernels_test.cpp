@@ -16,7 +16,7 @@ namespace {
 // Every kernel, in every form that this build holds, against the plain one: the same bits, over
 // counts around the width of a register and rows that begin off any alignment.
 
-constexpr int kRoom = 96;  // of a row: what is read beside the counted cells, too
+constexpr int kRoom = 160;  // of a row: what is read beside the counted cells, too
 
 struct Form {
     const char* name;
@@ -236,18 +236,35 @@ TEST_P(KernelsIn, LayEdges) {
     }
 }
 
-TEST_P(KernelsIn, CompareNeighbours) {
+TEST_P(KernelsIn, LinkNeighboursAndRejectWhatTheyDoNotSupport) {
     for (const Case& c : cases()) {
         const auto y = floats(100, 104);
         const auto next = floats(103, 112);
+        const auto measured = flags();
+        const auto next_measured = flags();
+        const auto from_before = flags();
+        const int first = c.offset + kLargestGap;
         const auto run = [&](const Kernels& kernel) {
             std::vector<std::uint8_t> out(4 * kRoom);
-            kernel.compareNeighbours(y.data(), next.data(), {2, 2, 8, 1}, c.offset,
-                                     c.offset + c.count,
-                                     {{&out[0], &out[kRoom], &out[2 * kRoom]}, &out[3 * kRoom]});
-            return out;
+            const RowLinks links{{&out[0], &out[kRoom], &out[2 * kRoom]}, &out[3 * kRoom]};
+            kernel.linkNeighbours({y.data(), next.data(), measured.data(), next_measured.data()},
+                                  {2, 2, 8, 1}, first, first + c.count, links);
+            std::vector<std::uint8_t> kept(kRoom);
+            const int rejected = kernel.rejectUnsupported(
+                links, from_before.data(), measured.data(), first, first + c.count, kept.data());
+            return std::tuple{out, kept, rejected};
         };
-        EXPECT_EQ(run(form()), run(plain())) << c.count << " cells";
+        const auto [links, kept, rejected] = run(form());
+        EXPECT_EQ(std::tuple(links, kept, rejected), run(plain())) << c.count << " cells";
+        for (int x = first; x < first + c.count; ++x) {
+            // Linked is the next measured cell alone.
+            int gap = 1;
+            while (gap <= kLargestGap && !measured[x + gap]) ++gap;
+            for (int n = 1; n <= kLargestGap; ++n) {
+                const bool near = std::abs(y[x + n] - y[x]) <= 2.0f * float(n);
+                EXPECT_EQ(links[std::size_t(n - 1) * kRoom + x], measured[x] && n == gap && near);
+            }
+        }
     }
 }
 
@@ -463,15 +480,65 @@ TEST_P(KernelsIn, MarkRegularCellsAndFilterThem) {
                                {0.3f, 8}, at, at + c.count, regular.data());
             std::vector<float> filtered(3 * kRoom);
             for (int window = 0; window < 3; ++window) {
-                const Window& shape = kWindows[window];
-                kernel.filterRow(
-                    &plane[3 * kRoom], kRoom,
-                    {shape.half_codes, shape.half_columns, fixedWeights(window).data()}, at,
-                    at + c.count, &filtered[std::size_t(window) * kRoom]);
+                std::vector<float> sums(kRoom), bends(kRoom);
+                kernel.filterRow({&plane[3 * kRoom],
+                                  kRoom,
+                                  candidates.data(),
+                                  {sums.data(), bends.data()},
+                                  &filtered[std::size_t(window) * kRoom]},
+                                 fixedFilter(window), at, at + c.count);
             }
             return std::tuple{regular, bits(filtered)};
         };
         EXPECT_EQ(run(form()), run(plain())) << c.count << " cells";
+    }
+}
+
+TEST_P(KernelsIn, KeepFlagsThatAllAroundHave) {
+    for (const Case& c : cases()) {
+        std::array<std::vector<std::uint8_t>, 3> rows;
+        for (auto& row : rows) {
+            row = integers<std::uint8_t>(0, 15);
+            for (std::uint8_t& flag : row) flag = flag != 0;
+        }
+        const std::array<const std::uint8_t*, 3> pointers{rows[0].data(), rows[1].data(),
+                                                          rows[2].data()};
+        const int first = c.offset + 8;
+        std::vector<std::uint8_t> common(kRoom);
+        form().keepCommon(pointers.data(), 3, kRoom, common.data());
+        for (int x = 0; x < kRoom; ++x) {
+            EXPECT_EQ(common[x], rows[0][x] & rows[1][x] & rows[2][x]);
+        }
+        for (const int reach : {1, 4, 5, 7}) {
+            std::vector<std::uint8_t> surrounded(kRoom);
+            form().keepSurrounded(rows[0].data(), reach, first, first + c.count, surrounded.data());
+            for (int x = 0; x < kRoom; ++x) {
+                const auto begin = rows[0].begin() + std::max(x - reach, 0);
+                const bool inside = x >= first && x < first + c.count;
+                EXPECT_EQ(surrounded[x],
+                          inside && std::all_of(begin, begin + 2 * reach + 1,
+                                                [](std::uint8_t flag) { return flag != 0; }))
+                    << "reach " << reach << ", column " << x << " of " << c.count;
+            }
+        }
+    }
+}
+
+TEST_P(KernelsIn, CorrectBias) {
+    for (const Case& c : cases()) {
+        const auto y = floats(100, 106);
+        const auto gradient_x = floats(-1, 1);
+        const auto gradient_y = floats(-1, 1);
+        const auto gain = floats(-2, 2);
+        const auto measured = flags();
+        const int at = c.offset + 1;
+        const auto run = [&](const Kernels& kernel) {
+            std::vector<float> corrected(kRoom);
+            kernel.correctBias({&measured[at], &y[at], &gradient_x[at], &gradient_y[at], &gain[at]},
+                               {0.25f, 0.1f, -0.2f}, c.count, &corrected[at]);
+            return bits(corrected);
+        };
+        EXPECT_EQ(run(form()), run(plain())) << c.count << " edges";
     }
 }
 
@@ -498,7 +565,10 @@ TEST_P(KernelsIn, FitWindows) {
             span.half_codes = shape.half_codes;
             span.half_columns = shape.half_columns;
             span.per_code = 1.0f / float(shape.half_codes);
-            span.per_column = 1.0f / float(shape.half_columns);
+            for (int k = 0; k <= shape.half_columns; ++k) {
+                span.places[k] = float(k) / float(shape.half_columns);
+                span.squares[k] = span.places[k] * span.places[k];
+            }
             span.fewest = 8;
             span.cutoff.fill(0.4f);
             span.wanted.fill(1);
