@@ -231,7 +231,7 @@ public:
         L a[6];
         possible = possible & solve(a);
         L largest(0.0f);
-        reweigh<true>(a, reciprocal(L(2.0f) * cutoff_), largest);
+        const L support = reweigh(a, reciprocal(L(1.5f) * cutoff_), largest);
         // Nothing stands out: the unweighted fit is the best one.
         const auto plain = possible & (largest < L(0.5f) * cutoff_);
         const L plain_correction = a[0];
@@ -240,7 +240,6 @@ public:
             return plain;
         }
         possible = possible & solve(a);
-        const L support = reweigh<false>(a, reciprocal(cutoff_), largest);
         const auto consistent = plain | (possible & (fewest <= support) & (abs(a[0]) < cutoff_));
         correction = select(consistent, select(plain, plain_correction, a[0]), L(0.0f));
         return consistent;
@@ -290,9 +289,8 @@ private:
     }
 
     /// Tukey's biweight of the residuals.
-    /// @param largest  with `kLargest`: the largest residual
+    /// @param largest  the largest residual
     /// @returns the sum of the weights
-    template <bool kLargest>
     FACESCAN_INLINE L reweigh(const L (&a)[6], L inverse_cutoff, L& largest) {
         L support(0.0f);
         const int half = span_.half_columns;
@@ -311,7 +309,7 @@ private:
                 const L weight = bell * bell * here;
                 middle_weight[k] = weight;
                 support = support + weight;
-                if constexpr (kLargest) largest = largerOf(largest, abs(residual * here));
+                largest = largerOf(largest, abs(residual * here));
             };
             weigh(0, c0);
             for (int k = 1; k <= half; ++k) {
