@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reconstruct/kernels/form.h"
+
 namespace facescan {
 namespace {
 
@@ -14,6 +16,16 @@ constexpr int termsOf(int degree) {
 int termIndex(int degree, int j, int k) {
     const int lower = degree - j;  // powers of y above this one
     return lower * (lower + 1) / 2 + (degree - j - k);
+}
+
+/// Empties the cells without a mark. @returns how many were not empty
+FACESCAN_KERNEL int emptyOthers(const std::uint8_t* __restrict marks, int count,
+                                Cell* __restrict cell) {
+    int emptied = 0;
+    for (int x = 0; x < count; ++x) emptied += cell[x] != Cell::empty && !marks[x];
+#pragma GCC ivdep
+    for (int x = 0; x < count; ++x) cell[x] = marks[x] ? cell[x] : Cell::empty;
+    return emptied;
 }
 
 }  // namespace
@@ -172,18 +184,17 @@ void calibrateFilledCells(const GridCalibration& calibration, const VertexGrid& 
     }
 }
 
-int rejectOutOfRange(const Calibration& calibration, const PointPlanes& points, VertexGrid& grid) {
-    const float nearest = float(calibration.range_min_mm);
-    const float farthest = float(calibration.range_max_mm);
+int rejectOutOfRange(const Calibration& calibration, const PointPlanes& points,
+                     std::vector<std::uint8_t>& inside, VertexGrid& grid) {
     int emptied = 0;
+    inside.resize(grid.columns);
     for (int code = 1; code < grid.codes; ++code) {
-        const float* z = points.z.data() + grid.index(code, 0);
-        Cell* cell = grid.cell.data() + grid.index(code, 0);
-        for (int x = grid.extent[code].first; x < grid.extent[code].end; ++x) {
-            const bool outside = !(z[x] >= nearest && z[x] <= farthest) && cell[x] != Cell::empty;
-            cell[x] = outside ? Cell::empty : cell[x];
-            emptied += outside;
-        }
+        const auto [first, end] = grid.extent[code];
+        if (first >= end) continue;
+        const std::size_t i = grid.index(code, first);
+        kernels().markInRange(&points.z[i], float(calibration.range_min_mm),
+                              float(calibration.range_max_mm), end - first, inside.data());
+        emptied += emptyOthers(inside.data(), end - first, &grid.cell[i]);
     }
     return emptied;
 }

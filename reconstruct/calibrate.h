@@ -65,7 +65,10 @@ void calibrateCells(const GridCalibration& calibration, const VertexGrid& grid,
 void calibrateFilledCells(const GridCalibration& calibration, const VertexGrid& grid,
                           PointPlanes& points);
 
-/// Empties the cells whose point lies outside the measurement range. @returns their number
-int rejectOutOfRange(const Calibration& calibration, const PointPlanes& points, VertexGrid& grid);
+/// Empties the cells whose point lies outside the measurement range.
+/// @param inside  scratch memory
+/// @returns their number
+int rejectOutOfRange(const Calibration& calibration, const PointPlanes& points,
+                     std::vector<std::uint8_t>& inside, VertexGrid& grid);
 
 }  // namespace facescan

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "reconstruct/kernels/form.h"
+#include "reconstruct/kernels/kernels.h"
 #include "reconstruct/median.h"
 
 namespace facescan {
@@ -46,32 +47,32 @@ void measureLight(const PixelPlanes& planes, Report& report) {
     }
 }
 
-/// The pixels between neighbouring stripe edges of a row and the next, in parts of a pixel, so that
-/// the sum does not depend on its order.
-constexpr float kWidthParts = 256;
-FACESCAN_KERNEL int coveredParts(const Cell* __restrict cell, const Cell* __restrict next_cell,
-                                 const float* __restrict y, const float* __restrict next_y,
-                                 float widest, int count) {
-    int sum = 0;
+/// Flags where both cells hold an edge.
+FACESCAN_KERNEL void flagPairs(const Cell* __restrict cell, const Cell* __restrict next, int count,
+                               std::uint8_t* __restrict flags) {
+#pragma GCC ivdep
     for (int x = 0; x < count; ++x) {
-        const float width = std::fabs(next_y[x] - y[x]);
-        const bool covered = cell[x] != Cell::empty && next_cell[x] != Cell::empty;
-        sum += int((covered && width < widest ? width : 0.0f) * kWidthParts);
+        flags[x] = (cell[x] != Cell::empty) & (next[x] != Cell::empty);
     }
-    return sum;
 }
 
-double coveredPixels(const VertexGrid& grid, float stripe_width) {
-    std::int64_t parts = 0;
+/// The pixels between neighbouring stripe edges of one column.
+double coveredPixels(const VertexGrid& grid, float stripe_width, QualityScratch& scratch) {
+    scratch.covered.resize(grid.columns);
+    scratch.widths.resize(grid.columns);
+    std::int64_t sum = 0;
     for (int code = 1; code + 1 < grid.codes; ++code) {
         const auto [first, end] = grid.extent[code];
         if (first >= end) continue;
         const std::size_t i = grid.index(code, first);
         const std::size_t next = i + grid.columns;
-        parts += coveredParts(&grid.cell[i], &grid.cell[next], &grid.y[i], &grid.y[next],
-                              4 * stripe_width, end - first);
+        const int count = end - first;
+        flagPairs(&grid.cell[i], &grid.cell[next], count, scratch.covered.data());
+        kernels().measureWidths(&grid.y[i], &grid.y[next], scratch.covered.data(), 4 * stripe_width,
+                                count, scratch.widths.data());
+        for (int x = 0; x < count; ++x) sum += scratch.widths[x];
     }
-    return double(parts) / double(kWidthParts);
+    return double(sum) / double(kLengthUnits);
 }
 
 float medianContrast(const VertexGrid& grid, std::vector<float>& scratch) {
@@ -125,17 +126,17 @@ Reason worstFlaw(const Report& report, double surface_share) {
 }  // namespace
 
 void assessQuality(const ScanDescription& scan, const PixelPlanes& planes, const VertexGrid& grid,
-                   const StageFindings& findings, std::vector<float>& scratch, Mesh& mesh,
+                   const StageFindings& findings, QualityScratch& scratch, Mesh& mesh,
                    Report& report) {
     measureLight(planes, report);
     reportMotion(scan, findings, report);
     const double pixels = double(planes.modulation.size());
-    const double covered = coveredPixels(grid, findings.stripe_width_px);
+    const double covered = coveredPixels(grid, findings.stripe_width_px, scratch);
     const double beyond = double(findings.out_of_range) * findings.stripe_width_px;
     const double within = report.lit_share * pixels - beyond;
     report.coverage = covered > 0 ? covered / std::max(covered, within) : 0.0;
     report.noise_mm =
-        findings.noise.pixels(medianContrast(grid, scratch)) * std::fabs(findings.mm_per_px);
+        findings.noise.pixels(medianContrast(grid, scratch.values)) * std::fabs(findings.mm_per_px);
 
     if (covered < kChanceShare * pixels || mesh.triangles.empty()) {
         mesh.vertices.clear();

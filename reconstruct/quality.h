@@ -23,10 +23,18 @@ struct StageFindings {
     std::array<ImageMotion, kMaxBits> image_motions{};
 };
 
+/// Scratch memory of assessQuality.
+struct QualityScratch {
+    std::vector<float> values;
+    // Of one row.
+    std::vector<std::uint8_t> covered;
+    std::vector<std::int32_t> widths;
+};
+
 /// Stage "quality": completes the report, down to the verdict. Where the verdict is that there is
 /// no surface, the mesh is emptied: it would be made of chance.
 void assessQuality(const ScanDescription& scan, const PixelPlanes& planes, const VertexGrid& grid,
-                   const StageFindings& findings, std::vector<float>& scratch, Mesh& mesh,
+                   const StageFindings& findings, QualityScratch& scratch, Mesh& mesh,
                    Report& report);
 
 }  // namespace facescan

@@ -36,7 +36,8 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
     report.vertices_rejected += rejectFalseEdges(options, decoded.rising, work.filter, work.grid);
     findings.stripe_width_px = medianStripeWidth(work.grid, work.values);
     calibrateCells(work.calibration, work.grid, work.points);
-    const int out_of_range = rejectOutOfRange(scan.calibration, work.points, work.grid);
+    const int out_of_range =
+        rejectOutOfRange(scan.calibration, work.points, work.row_flags, work.grid);
     report.vertices_rejected += out_of_range;
     findings.out_of_range = decoded.out_of_range + out_of_range;
     const SurfaceMiddle middle = findMiddle(work.grid, work.points);
@@ -55,7 +56,7 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
             compensateMotion(surface, findings.motion, images.bits, work.grid);
     }
     const PairDrift drift = driftWithinPairs(scan.pattern, findings.image_motions);
-    correctEdgeBias(options.lens_blur_px, drift, images.bits, work.edge_bias_flags, work.grid);
+    correctEdgeBias(options.lens_blur_px, drift, images.bits, work.row_flags, work.grid);
     finished(Stage::motion);
 
     findings.noise = estimateNoise(work.grid, work.values);
@@ -65,7 +66,8 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
     finished(Stage::smooth);
 
     calibrateCells(work.calibration, work.grid, work.points);
-    report.vertices_rejected += rejectOutOfRange(scan.calibration, work.points, work.grid);
+    report.vertices_rejected +=
+        rejectOutOfRange(scan.calibration, work.points, work.row_flags, work.grid);
     finished(Stage::calibrate);
 
     if (options.fill_holes) {
@@ -74,7 +76,7 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
         report.holes_filled = holes.filled;
         calibrateFilledCells(work.calibration, work.grid, work.points);
         carryToBorder(work.calibration, work.planes, decoded.rising, work.grid, work.points);
-        rejectOutOfRange(scan.calibration, work.points, work.grid);
+        rejectOutOfRange(scan.calibration, work.points, work.row_flags, work.grid);
     }
     finished(Stage::fill);
 
@@ -89,7 +91,7 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
             work.lay_mesh, result.mesh);
     finished(Stage::mesh);
 
-    assessQuality(scan, work.planes, work.grid, findings, work.values, result.mesh, report);
+    assessQuality(scan, work.planes, work.grid, findings, work.quality, result.mesh, report);
     finished(Stage::quality);
 }
 

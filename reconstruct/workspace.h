@@ -11,6 +11,7 @@
 #include "reconstruct/lay_mesh.h"
 #include "reconstruct/normals.h"
 #include "reconstruct/pixel_planes.h"
+#include "reconstruct/quality.h"
 #include "reconstruct/smooth.h"
 #include "reconstruct/surface_motion.h"
 #include "reconstruct/tessellate.h"
@@ -32,7 +33,7 @@ struct Workspace {
     ReferencePlanes reference_planes;
     ImageMotionScratch image_motion;
     AlignmentEquations motion;
-    std::vector<std::uint8_t> edge_bias_flags;
+    std::vector<std::uint8_t> row_flags;
     FilterScratch filter;
     SmoothScratch smooth;
     FillScratch fill;
@@ -42,6 +43,7 @@ struct Workspace {
     PointPlanes normals;
     LayMeshScratch lay_mesh;
     TextureScratch texture;
+    QualityScratch quality;
 };
 
 }  // namespace facescan

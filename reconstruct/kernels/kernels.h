@@ -295,7 +295,7 @@ struct QuadFlags {
 
 /// How a row of quads is cut: flags, the square of each triangle's longest edge (0 where there is
 /// none), and the edge itself in whole units, so that a sum does not depend on its order.
-inline constexpr float kLengthUnits = 256;    // to the millimetre
+inline constexpr float kLengthUnits = 256;    // to the millimetre or pixel
 inline constexpr float kLongestCounted = 64;  // mm
 struct QuadCuts {
     std::uint8_t* first;
@@ -436,6 +436,10 @@ struct Kernels {
     void (*polynomialRow)(const PolynomialRow& polynomial, const EdgeRow& row, int count,
                           const PointRow& points);
 
+    /// Flags which of `count` depths lie between two, both included.
+    void (*markInRange)(const float* z, float nearest, float farthest, int count,
+                        std::uint8_t* inside);
+
     /// Completes the reference planes of `count` cells: see findReferencePlanes().
     void (*referencePlanes)(const ReferenceRows& rows, int count, const ReferencePlaneRow& planes);
 
@@ -468,6 +472,11 @@ struct Kernels {
     /// Cuts `count` quads into triangles: see tessellate(). `sign` is 1 where y rises with the
     /// code, else −1.
     void (*cutQuads)(const QuadRows& rows, float sign, int count, const QuadCuts& cuts);
+
+    /// The distances between the edges of a row and the next, in parts of a pixel (kLengthUnits to
+    /// one), where both are there and less than `widest` px apart; else 0.
+    void (*measureWidths)(const float* y, const float* next_y, const std::uint8_t* both,
+                          float widest, int count, std::int32_t* widths);
 
     /// Leaves a flag only where the value is below the limit.
     void (*markShort)(const float* longest, float limit, int count, std::uint8_t* flags);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/kernels/lanes.h"
@@ -52,6 +54,16 @@ FACESCAN_KERNEL void polynomialRow(const PolynomialRow& p, const EdgeRow& row, i
             }
             sum.store(outputs[output] + i);
         }
+    });
+}
+
+/// Marks what lies in the range.
+template <typename Lanes>
+FACESCAN_KERNEL void markInRange(const float* z, float nearest, float farthest, int count,
+                                 std::uint8_t* inside) {
+    forLanes<Lanes>(0, count, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
+        const L depth = L::load(z + x);
+        ((L(nearest) <= depth) & (depth <= L(farthest))).store(inside + x);
     });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/kernels/lanes.h"
@@ -149,6 +151,16 @@ FACESCAN_KERNEL void vertexQuality(const float* contrast, float noise_grey_level
         constexpr float kTiny = 1e-30f;
         const L share = square * reciprocal(largerOf(sum, L(kTiny)));
         largerOf(share, L(kSmallest)).store(quality + i);
+    });
+}
+
+template <typename Lanes>
+FACESCAN_KERNEL void measureWidths(const float* y, const float* next_y, const std::uint8_t* both,
+                                   float widest, int count, std::int32_t* widths) {
+    forLanes<Lanes>(0, count, [&]<typename L>(int x) FACESCAN_INLINE_LAMBDA {
+        const L width = abs(L::load(next_y + x) - L::load(y + x));
+        const auto counts = L::Mask::load(both + x) & (width < L(widest));
+        (select(counts, width, L(0.0f)) * L(kLengthUnits)).store(widths + x);
     });
 }
 

@@ -167,7 +167,8 @@ TEST_F(CalibratedGrid, LosesTheCellsOutsideTheMeasurementRange) {
     points_.z[grid_.index(6, 6)] = 520.0f;
     points_.z[grid_.index(7, 8)] = 100.0f;  // empty already
     points_.z[grid_.index(9, 9)] = std::nanf("");
-    EXPECT_EQ(rejectOutOfRange(scan_.calibration, points_, grid_), 3);
+    std::vector<std::uint8_t> scratch;
+    EXPECT_EQ(rejectOutOfRange(scan_.calibration, points_, scratch, grid_), 3);
     EXPECT_EQ(grid_.cell[grid_.index(1, 1)], Cell::empty);
     EXPECT_EQ(grid_.cell[grid_.index(2, 2)], Cell::empty);
     EXPECT_EQ(grid_.cell[grid_.index(9, 9)], Cell::empty);

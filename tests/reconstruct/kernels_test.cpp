@@ -524,6 +524,29 @@ TEST_P(KernelsIn, KeepFlagsThatAllAroundHave) {
     }
 }
 
+TEST_P(KernelsIn, MeasureWidthsAndRanges) {
+    for (const Case& c : cases()) {
+        const auto y = floats(100, 104);
+        const auto next = floats(100, 112);
+        const auto both = flags();
+        const auto run = [&](const Kernels& kernel) {
+            std::vector<std::int32_t> widths(kRoom);
+            kernel.measureWidths(&y[c.offset], &next[c.offset], &both[c.offset], 8, c.count,
+                                 &widths[c.offset]);
+            std::vector<std::uint8_t> inside(kRoom);
+            kernel.markInRange(&y[c.offset], 101, 103, c.count, &inside[c.offset]);
+            return std::pair{widths, inside};
+        };
+        const auto [widths, inside] = run(form());
+        EXPECT_EQ(std::pair(widths, inside), run(plain())) << c.count << " cells";
+        for (int x = c.offset; x < c.offset + c.count; ++x) {
+            const float width = std::abs(next[x] - y[x]);
+            EXPECT_EQ(widths[x], both[x] && width < 8 ? int(width * kLengthUnits) : 0);
+            EXPECT_EQ(inside[x], y[x] >= 101 && y[x] <= 103);
+        }
+    }
+}
+
 TEST_P(KernelsIn, CorrectBias) {
     for (const Case& c : cases()) {
         const auto y = floats(100, 106);

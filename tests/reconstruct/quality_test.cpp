@@ -46,7 +46,7 @@ struct Findings {
 
     Report assess() {
         Report report;
-        std::vector<float> scratch;
+        QualityScratch scratch;
         assessQuality(scan, planes, grid, stages, scratch, mesh, report);
         return report;
     }
