@@ -99,6 +99,8 @@ struct PointRow {
     float* y;
     float* z;
 
+    // As a pointer becomes one to const.
+    // NOLINTNEXTLINE(google-explicit-constructor)
     operator ConstPointRow() const { return {x, y, z}; }
 };
 
@@ -328,6 +330,8 @@ struct FitSpan {
 /// The hot loops of reconstruction, in one form: chosen once, outside the loops. All forms give the
 /// same bits.
 struct Kernels {
+    // NOLINTBEGIN(readability-identifier-naming): called as functions are.
+
     /// Prepares a row of pixels for its first pair.
     void (*startRow)(int width, const PixelRow& row);
 
@@ -423,6 +427,8 @@ struct Kernels {
 
     /// Fits the windows of a span: see robustFits().
     void (*fitWindows)(FitSpan& span);
+
+    // NOLINTEND(readability-identifier-naming)
 };
 
 /// The form for this machine.
