@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+
 #include "cli/errors.h"
 #include "cli/simulate.h"
 

@@ -1,5 +1,6 @@
 #include "cli/simulate_arguments.h"
 
+#include <CLI/CLI.hpp>
 #include <stdexcept>
 
 #include "capture/frames_header.h"

@@ -1,12 +1,15 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "sim/render.h"
+
+namespace CLI {
+class App;
+}
 
 namespace facescan {
 

@@ -1,11 +1,14 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <variant>
 
 #include "reconstruct/options.h"
+
+namespace CLI {
+class App;
+}
 
 namespace facescan {
 

@@ -129,6 +129,8 @@ struct PointRow {
     float* y;
     float* z;
 
+    // As a pointer becomes one to const.
+    // NOLINTNEXTLINE(google-explicit-constructor)
     operator ConstPointRow() const { return {x, y, z}; }
 };
 
@@ -389,6 +391,8 @@ struct FitSpan {
 /// The hot loops of reconstruction, in one form: chosen once, outside the loops. All forms give the
 /// same bits.
 struct Kernels {
+    // NOLINTBEGIN(readability-identifier-naming): called as functions are.
+
     /// Prepares a row of pixels for its first pair.
     void (*startRow)(int width, const PixelRow& row);
 
@@ -518,6 +522,8 @@ struct Kernels {
 
     /// Fits the windows of a span: see robustFits().
     void (*fitWindows)(FitSpan& span);
+
+    // NOLINTEND(readability-identifier-naming)
 };
 
 /// The form for this machine.

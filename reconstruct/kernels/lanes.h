@@ -41,7 +41,9 @@ struct OneLane {
     float v;
 
     OneLane() = default;
+    // NOLINTBEGIN(google-explicit-constructor): a number becomes lanes as an int becomes a float.
     FACESCAN_INLINE OneLane(float value) : v(value) {}
+    // NOLINTEND(google-explicit-constructor)
     static FACESCAN_INLINE OneLane load(const float* p) { return *p; }
     static FACESCAN_INLINE OneLane load(const std::int32_t* p) { return float(*p); }
     /// first, first + 1, …
@@ -92,8 +94,10 @@ struct VectorLanes {
     Floats v;
 
     VectorLanes() = default;
+    // NOLINTBEGIN(google-explicit-constructor)
     FACESCAN_INLINE VectorLanes(Floats value) : v(value) {}
     FACESCAN_INLINE VectorLanes(float value) : v(value - Floats{}) {}
+    // NOLINTEND(google-explicit-constructor)
     static FACESCAN_INLINE VectorLanes load(const float* p) {
         Floats value;
         std::memcpy(&value, p, sizeof value);
@@ -158,8 +162,10 @@ struct NeonLanes {
     float32x4_t v;
 
     NeonLanes() = default;
+    // NOLINTBEGIN(google-explicit-constructor)
     FACESCAN_INLINE NeonLanes(float32x4_t value) : v(value) {}
     FACESCAN_INLINE NeonLanes(float value) : v(vdupq_n_f32(value)) {}
+    // NOLINTEND(google-explicit-constructor)
     static FACESCAN_INLINE NeonLanes load(const float* p) { return vld1q_f32(p); }
     static FACESCAN_INLINE NeonLanes load(const std::int32_t* p) {
         return vcvtq_f32_s32(vld1q_s32(p));

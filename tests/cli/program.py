@@ -23,6 +23,12 @@ OK, USAGE, DATA_ERROR, NO_INPUT, UNAVAILABLE = 0, 64, 65, 66, 69
 CANNOT_CREATE, IO_ERROR, NO_SURFACE = 73, 74, 75
 
 
+def leak_check(arguments):
+    """ASAN_OPTIONS of a run: leaks are looked for where Mesa has no part in it."""
+    draws = 'replay' in arguments and '--no-preview' not in arguments
+    return f'detect_leaks={int(not draws)}'
+
+
 def run(*arguments, env=None, max_file_bytes=None, **options):
     """Runs facescan and returns its status, standard output and standard error, as text."""
     def limit():
@@ -30,7 +36,8 @@ def run(*arguments, env=None, max_file_bytes=None, **options):
             resource.setrlimit(resource.RLIMIT_FSIZE, (max_file_bytes, max_file_bytes))
     options = {'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **options}
     return subprocess.run([FACESCAN, *map(str, arguments)], text=True, preexec_fn=limit,
-                          env={**os.environ, **(env or {})}, **options)
+                          env={**os.environ, 'ASAN_OPTIONS': leak_check(arguments), **(env or {})},
+                          **options)
 
 
 def read(*path):

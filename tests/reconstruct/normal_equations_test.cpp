@@ -9,35 +9,37 @@ namespace facescan {
 namespace {
 
 /// A weighted least-squares problem with rows of independent random numbers.
-template <int N>
 struct RandomProblem {
     static constexpr int kRows = 40;
-    Eigen::Matrix<double, kRows, N> rows;
-    Eigen::Matrix<double, kRows, 1> values;
-    Eigen::Matrix<double, kRows, 1> weights;
+    Eigen::MatrixXd rows;
+    Eigen::VectorXd values{kRows};
+    Eigen::VectorXd weights{kRows};
 
-    explicit RandomProblem(unsigned seed) {
+    RandomProblem(int unknowns, unsigned seed) : rows(kRows, unknowns) {
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
         for (int r = 0; r < kRows; ++r) {
-            for (int n = 0; n < N; ++n) rows(r, n) = normal(random);
+            for (int n = 0; n < unknowns; ++n) rows(r, n) = normal(random);
             values(r) = normal(random);
             weights(r) = std::abs(normal(random));
         }
     }
 
     /// Minimises Σ weight (row · x − value)² + Σ damping x².
-    Eigen::Matrix<double, N, 1> solve(const Eigen::Matrix<double, N, 1>& damping) const {
-        Eigen::Matrix<double, kRows + N, N> stacked = Eigen::Matrix<double, kRows + N, N>::Zero();
-        Eigen::Matrix<double, kRows + N, 1> right = Eigen::Matrix<double, kRows + N, 1>::Zero();
-        const Eigen::Matrix<double, kRows, 1> root = weights.cwiseSqrt();
-        stacked.template topRows<kRows>() = root.asDiagonal() * rows;
-        stacked.template bottomRows<N>() = damping.cwiseSqrt().asDiagonal();
-        right.template head<kRows>() = root.cwiseProduct(values);
+    Eigen::VectorXd solve(const Eigen::VectorXd& damping) const {
+        const Eigen::Index unknowns = rows.cols();
+        Eigen::MatrixXd stacked = Eigen::MatrixXd::Zero(kRows + unknowns, unknowns);
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(kRows + unknowns);
+        const Eigen::VectorXd root = weights.cwiseSqrt();
+        stacked.topRows(kRows) = root.asDiagonal() * rows;
+        stacked.bottomRows(unknowns).diagonal() = damping.cwiseSqrt();
+        right.head(kRows) = root.cwiseProduct(values);
         return stacked.colPivHouseholderQr().solve(right);
     }
 
-    template <typename Scalar>
+    Eigen::VectorXd solve() const { return solve(Eigen::VectorXd::Zero(rows.cols())); }
+
+    template <typename Scalar, int N>
     void addTo(NormalEquations<Scalar, N>& equations, int first = 0, int last = kRows) const {
         for (int r = first; r < last; ++r) {
             std::array<Scalar, N> row;
@@ -48,8 +50,8 @@ struct RandomProblem {
 };
 
 template <typename Scalar, int N>
-void expectSolution(const NormalEquations<Scalar, N>& equations,
-                    const Eigen::Matrix<double, N, 1>& expected, double tolerance) {
+void expectSolution(const NormalEquations<Scalar, N>& equations, const Eigen::VectorXd& expected,
+                    double tolerance) {
     std::array<Scalar, N> solution{};
     ASSERT_TRUE(equations.solve(solution));
     for (int n = 0; n < N; ++n) EXPECT_NEAR(solution[n], expected(n), tolerance);
@@ -57,8 +59,8 @@ void expectSolution(const NormalEquations<Scalar, N>& equations,
 
 TEST(NormalEquations, SolveAsEigenDoes) {
     for (unsigned seed = 0; seed < 50; ++seed) {
-        const RandomProblem<6> problem(seed);
-        const auto expected = problem.solve(Eigen::Matrix<double, 6, 1>::Zero());
+        const RandomProblem problem(6, seed);
+        const Eigen::VectorXd expected = problem.solve();
         NormalEquations<double, 6> in_double;
         problem.addTo(in_double);
         expectSolution(in_double, expected, 1e-10);
@@ -69,35 +71,35 @@ TEST(NormalEquations, SolveAsEigenDoes) {
 }
 
 TEST(NormalEquations, PullADampedUnknownTowardsZero) {
-    const RandomProblem<3> problem(1);
+    const RandomProblem problem(3, 1);
     NormalEquations<double, 3> equations;
     problem.addTo(equations);
     equations.damp(0, 2.5);
     equations.damp(2, 40.0);
-    expectSolution(equations, problem.solve({2.5, 0.0, 40.0}), 1e-10);
+    expectSolution(equations, problem.solve(Eigen::Vector3d(2.5, 0.0, 40.0)), 1e-10);
 }
 
 TEST(NormalEquations, AddUpFromParts) {
-    const RandomProblem<4> problem(2);
+    const RandomProblem problem(4, 2);
     NormalEquations<double, 4> first, second;
     problem.addTo(first, 0, 25);
-    problem.addTo(second, 25, RandomProblem<4>::kRows);
+    problem.addTo(second, 25, RandomProblem::kRows);
     first.add(second);
-    expectSolution(first, problem.solve(Eigen::Vector4d::Zero()), 1e-10);
+    expectSolution(first, problem.solve(), 1e-10);
 }
 
 TEST(NormalEquations, WeighScaledEquationsAgainstLaterOnes) {
-    RandomProblem<3> problem(3);
+    RandomProblem problem(3, 3);
     NormalEquations<double, 3> equations;
     problem.addTo(equations, 0, 30);
     equations.scale(7.0);
-    problem.addTo(equations, 30, RandomProblem<3>::kRows);
-    problem.weights.head<30>() *= 7.0;
-    expectSolution(equations, problem.solve(Eigen::Vector3d::Zero()), 1e-10);
+    problem.addTo(equations, 30, RandomProblem::kRows);
+    problem.weights.head(30) *= 7.0;
+    expectSolution(equations, problem.solve(), 1e-10);
 }
 
 TEST(NormalEquations, TakeARightHandSideOfItsOwn) {
-    RandomProblem<3> problem(4);
+    RandomProblem problem(3, 4);
     problem.weights.setOnes();
     NormalEquations<double, 3> equations;
     for (int r = 0; r < problem.kRows; ++r) {
@@ -105,7 +107,7 @@ TEST(NormalEquations, TakeARightHandSideOfItsOwn) {
         equations.add(row, 0.0, 1.0);
         equations.addRight(row, problem.values(r));
     }
-    expectSolution(equations, problem.solve(Eigen::Vector3d::Zero()), 1e-10);
+    expectSolution(equations, problem.solve(), 1e-10);
 }
 
 TEST(NormalEquations, RefuseWhatDoesNotDetermineTheUnknowns) {
