@@ -29,10 +29,12 @@ void computePixelPlanes(const StripeImages& images, PixelPlanes& planes) {
     for (int y = 0; y < images.height; ++y) {
         const PixelRow row = rowOf(planes, y);
         kernel.startRow(images.width, row);
+        PairRows pairs{.count = images.bits};
         for (int pair = 0; pair < images.bits; ++pair) {
-            kernel.addPair(images.patternRow(pair, y), images.complementRow(pair, y), images.width,
-                           row);
+            pairs.pattern[pair] = images.patternRow(pair, y);
+            pairs.complement[pair] = images.complementRow(pair, y);
         }
+        kernel.addPairs(pairs, images.width, row);
         planes.saturated += kernel.finishRow(images.width, row);
     }
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "reconstruct/pattern.h"
 #include "reconstruct/point.h"
 #include "reconstruct/window.h"
 
@@ -15,6 +16,13 @@ struct PixelRow {
     std::uint16_t* brightness;  ///< sum over the frames
     std::uint8_t* low;          ///< smallest and largest grey level
     std::uint8_t* high;
+};
+
+/// A row of some pairs' frames, the coarsest first.
+struct PairRows {
+    int count = 0;
+    std::array<const std::uint8_t*, kMaxBits> pattern{};
+    std::array<const std::uint8_t*, kMaxBits> complement{};
 };
 
 /// What two neighbouring rows of stripe numbers say of the edges between them.
@@ -396,11 +404,10 @@ struct Kernels {
     /// Prepares a row of pixels for its first pair.
     void (*startRow)(int width, const PixelRow& row);
 
-    /// Adds a pair of frames to a row of pixels. A pair's sign at a pixel is that of P − C,
-    /// averaged over the neighbours along the row with weights 1 2 1; it is the next bit of the
-    /// Gray codeword, and the stripe number its binary form.
-    void (*addPair)(const std::uint8_t* pattern, const std::uint8_t* complement, int width,
-                    const PixelRow& row);
+    /// Adds pairs of frames to a row of pixels. A pair's sign at a pixel is that of P − C, averaged
+    /// over the neighbours along the row with weights 1 2 1; it is the next bit of the Gray
+    /// codeword, and the stripe number its binary form.
+    void (*addPairs)(const PairRows& pairs, int width, const PixelRow& row);
 
     /// Leaves the modulation in `high`. @returns how many pixels of the row were saturated
     int (*finishRow)(int width, const PixelRow& row);

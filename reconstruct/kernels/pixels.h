@@ -50,22 +50,23 @@ FACESCAN_INLINE void appendSigns(const std::int16_t* __restrict difference, int 
 }
 
 template <typename Form>
-FACESCAN_KERNEL void addPair(const std::uint8_t* pattern, const std::uint8_t* complement, int width,
-                             const PixelRow& row) {
+FACESCAN_KERNEL void addPairs(const PairRows& pairs, int width, const PixelRow& row) {
     constexpr int kChunk = 512;
     std::int16_t memory[kChunk + 2];
     std::int16_t* difference = memory + 1;
     for (int first = 0; first < width; first += kChunk) {
         const int count = std::min(kChunk, width - first);
-        const std::uint8_t* p = pattern + first;
-        const std::uint8_t* c = complement + first;
         const int left = first > 0 ? -1 : 0;
         const int right = first + count < width ? count : count - 1;
-        accumulate(p, c, count, difference, row.brightness + first, row.low + first,
-                   row.high + first);
-        difference[-1] = std::int16_t(p[left] - c[left]);
-        difference[count] = std::int16_t(p[right] - c[right]);
-        appendSigns(difference, count, row.stripe + first);
+        for (int pair = 0; pair < pairs.count; ++pair) {
+            const std::uint8_t* p = pairs.pattern[pair] + first;
+            const std::uint8_t* c = pairs.complement[pair] + first;
+            accumulate(p, c, count, difference, row.brightness + first, row.low + first,
+                       row.high + first);
+            difference[-1] = std::int16_t(p[left] - c[left]);
+            difference[count] = std::int16_t(p[right] - c[right]);
+            appendSigns(difference, count, row.stripe + first);
+        }
     }
 }
 

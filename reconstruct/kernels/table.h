@@ -16,7 +16,7 @@ template <typename Lanes>
 constexpr Kernels kernelsOf() {
     return {
         .startRow = startRow<Lanes>,
-        .addPair = addPair<Lanes>,
+        .addPairs = addPairs<Lanes>,
         .finishRow = finishRow<Lanes>,
         .classifyEdges = classifyEdges<Lanes>,
         .gatherEdges = gatherEdges<Lanes>,

@@ -104,10 +104,12 @@ TEST_P(KernelsIn, AddPairs) {
             const PixelRow row{&words[c.offset], &words[kRoom + c.offset], &bytes[c.offset],
                                &bytes[kRoom + c.offset]};
             kernel.startRow(c.count, row);
-            for (int pair = 0; pair < 3; ++pair) {
-                kernel.addPair(&pattern[c.offset + pair], &complement[c.offset + 2 * pair], c.count,
-                               row);
+            PairRows pairs{.count = 3};
+            for (int pair = 0; pair < pairs.count; ++pair) {
+                pairs.pattern[pair] = &pattern[c.offset + pair];
+                pairs.complement[pair] = &complement[c.offset + 2 * pair];
             }
+            kernel.addPairs(pairs, c.count, row);
             const int saturated = kernel.finishRow(c.count, row);
             return std::tuple{words, bytes, saturated};
         };
