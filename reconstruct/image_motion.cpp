@@ -9,41 +9,17 @@
 namespace facescan {
 namespace {
 
-/// An image at half size, with a 1 2 1 blur along both axes: 64 grey levels for each of the eight
-/// pixels of a pair that make up one of its own.
+/// One of the half images.
 struct HalfImage {
-    int width = 0;
-    int height = 0;
-    const std::uint16_t* pixels = nullptr;
+    HalfImage(const HalfImages& halves, int pair)
+        : width(halves.width), height(halves.height), pixels(halves.row(pair, 0)) {}
+
+    int width;
+    int height;
+    const std::uint16_t* pixels;
 
     const std::uint16_t* row(int y) const { return pixels + std::ptrdiff_t(y) * width; }
 };
-
-/// @param halved  scratch memory: three halved rows
-HalfImage blurredHalf(const StripeImages& images, int pair, std::vector<std::uint16_t>& halved,
-                      std::vector<std::uint16_t>& out) {
-    const int width = images.width / 2;
-    const int height = images.height / 2;
-    constexpr int kRows = 3;
-    halved.resize(std::size_t(width) * kRows);
-    out.resize(std::size_t(width) * height);
-    const auto row = [&](int y) {
-        return halved.data() + std::size_t(std::clamp(y, 0, height - 1) % kRows) * width;
-    };
-    const auto halve = [&](int y) {
-        kernels().halveRows(
-            {images.patternRow(pair, 2 * y), images.patternRow(pair, 2 * y + 1),
-             images.complementRow(pair, 2 * y), images.complementRow(pair, 2 * y + 1)},
-            width, row(y));
-    };
-    if (height > 0) halve(0);
-    for (int y = 0; y < height; ++y) {
-        if (y + 1 < height) halve(y + 1);
-        kernels().blurRows({row(y - 1), row(y), row(y + 1)}, width,
-                           out.data() + std::size_t(y) * width);
-    }
-    return {width, height, out.data()};
-}
 
 /// The pixels of a half image that are registered lie so far apart in rows and columns.
 constexpr int kSpacing = 3;
@@ -218,21 +194,53 @@ private:
 
 }  // namespace
 
-std::array<ImageMotion, kMaxBits> estimateImageMotion(const StripeImages& images,
+void beginHalfImages(const StripeImages& images, HalfImages& halves) {
+    constexpr int kRows = 3;
+    halves.width = images.width / 2;
+    halves.height = images.height / 2;
+    halves.pairs = 0;
+    halves.pixels.resize(std::size_t(halves.width) * halves.height * images.bits);
+    halves.scratch.resize(std::size_t(halves.width) * kRows);
+}
+
+void addPairs(const StripeImages& images, int end, HalfImages& halves) {
+    const int height = halves.height;
+    // Three halved rows at a time.
+    const auto halved = [&](int y) {
+        return halves.scratch.data() + std::size_t(std::clamp(y, 0, height - 1) % 3) * halves.width;
+    };
+    for (; halves.pairs < end; ++halves.pairs) {
+        const int pair = halves.pairs;
+        const auto halve = [&](int y) {
+            kernels().halveRows(
+                {images.patternRow(pair, 2 * y), images.patternRow(pair, 2 * y + 1),
+                 images.complementRow(pair, 2 * y), images.complementRow(pair, 2 * y + 1)},
+                halves.width, halved(y));
+        };
+        halve(0);
+        for (int y = 0; y < height; ++y) {
+            if (y + 1 < height) halve(y + 1);
+            std::uint16_t* out =
+                halves.pixels.data() + (std::size_t(pair) * height + y) * halves.width;
+            kernels().blurRows({halved(y - 1), halved(y), halved(y + 1)}, halves.width, out);
+        }
+    }
+}
+
+std::array<ImageMotion, kMaxBits> estimateImageMotion(const HalfImages& halves,
                                                       const VertexGrid& grid,
                                                       const ImagePoint& middle,
                                                       ImageMotionScratch& scratch) {
     std::array<ImageMotion, kMaxBits> motions{};
-    const HalfImage reference =
-        blurredHalf(images, images.bits - 1, scratch.halved, scratch.reference);
+    const int finest = halves.pairs - 1;
     // The middle of a half image's pixel lies half a pixel further on.
     const ImagePoint half_middle{0.5f * middle.column - 0.25f, 0.5f * middle.y - 0.25f};
-    pickPixels(reference, grid, half_middle, scratch);
+    pickPixels(HalfImage(halves, finest), grid, half_middle, scratch);
     Registration state;
     // From the pair next in time to the reference to the first: each starts where the one after
     // it ended.
-    for (int pair = images.bits - 2; pair >= 0; --pair) {
-        const HalfImage current = blurredHalf(images, pair, scratch.halved, scratch.current);
+    for (int pair = finest - 1; pair >= 0; --pair) {
+        const HalfImage current(halves, pair);
         if (!Registrar(current, half_middle, scratch).refine(state)) {
             state = {};
             continue;

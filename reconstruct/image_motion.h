@@ -24,11 +24,28 @@ struct ImagePoint {
     float y = 0;
 };
 
+/// Each pair's pattern + complement at half size, with a 1 2 1 blur along both axes: 64 grey levels
+/// for each of the eight pixels that make up one.
+struct HalfImages {
+    int width = 0;
+    int height = 0;
+    int pairs = 0;  ///< that have been added
+    std::vector<std::uint16_t> pixels;
+    std::vector<std::uint16_t> scratch;
+
+    const std::uint16_t* row(int pair, int y) const {
+        return pixels.data() + (std::size_t(pair) * height + y) * width;
+    }
+};
+
+/// Half images to which no pair has been added.
+void beginHalfImages(const StripeImages& images, HalfImages& halves);
+
+/// Adds the pairs up to end − 1 that are not there yet.
+void addPairs(const StripeImages& images, int end, HalfImages& halves);
+
 /// Scratch memory of estimateImageMotion.
 struct ImageMotionScratch {
-    std::vector<std::uint16_t> halved;     ///< rows of pattern + complement at half size
-    std::vector<std::uint16_t> reference;  ///< the finest pair's image, halved and blurred
-    std::vector<std::uint16_t> current;
     std::vector<std::uint8_t> on_surface;
 
     // See RegistrationPixels and WarpedPixels.
@@ -46,9 +63,10 @@ struct ImageMotionScratch {
 /// with a similarity, a gain and an offset, on the pixels that show the measured surface, with
 /// Tukey's weights against what does not move along.
 ///
+/// @param halves  of all pairs
 /// @param middle  the point about which the similarities turn and scale
 /// @returns by pair; the finest pair's is zero, and so are those that the image does not determine
-std::array<ImageMotion, kMaxBits> estimateImageMotion(const StripeImages& images,
+std::array<ImageMotion, kMaxBits> estimateImageMotion(const HalfImages& halves,
                                                       const VertexGrid& grid,
                                                       const ImagePoint& middle,
                                                       ImageMotionScratch& scratch);

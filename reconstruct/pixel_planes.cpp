@@ -15,7 +15,7 @@ PixelRow rowOf(PixelPlanes& planes, int y) {
 
 }  // namespace
 
-void computePixelPlanes(const StripeImages& images, PixelPlanes& planes) {
+void beginPixelPlanes(const StripeImages& images, PixelPlanes& planes) {
     const std::size_t pixels = std::size_t(images.width) * images.height;
     planes.width = images.width;
     planes.height = images.height;
@@ -24,19 +24,24 @@ void computePixelPlanes(const StripeImages& images, PixelPlanes& planes) {
     planes.low.resize(pixels);
     planes.modulation.resize(pixels);
     planes.saturated = 0;
+    planes.pairs = 0;
+}
 
+void addPairs(const StripeImages& images, int end, PixelPlanes& planes) {
+    if (planes.pairs >= end) return;
     const Kernels& kernel = kernels();
+    PairRows pairs{.count = end - planes.pairs};
     for (int y = 0; y < images.height; ++y) {
         const PixelRow row = rowOf(planes, y);
-        kernel.startRow(images.width, row);
-        PairRows pairs{.count = images.bits};
-        for (int pair = 0; pair < images.bits; ++pair) {
-            pairs.pattern[pair] = images.patternRow(pair, y);
-            pairs.complement[pair] = images.complementRow(pair, y);
+        for (int n = 0; n < pairs.count; ++n) {
+            pairs.pattern[n] = images.patternRow(planes.pairs + n, y);
+            pairs.complement[n] = images.complementRow(planes.pairs + n, y);
         }
+        if (planes.pairs == 0) kernel.startRow(images.width, row);
         kernel.addPairs(pairs, images.width, row);
-        planes.saturated += kernel.finishRow(images.width, row);
+        if (end == images.bits) planes.saturated += kernel.finishRow(images.width, row);
     }
+    planes.pairs = end;
 }
 
 }  // namespace facescan

@@ -10,25 +10,48 @@
 namespace facescan {
 
 void reconstruct(const FrameStackView& frames, const ScanDescription& scan, const Options& options,
-                 Workspace& work, Reconstruction& result, StageObserver* observer) {
+                 Workspace& workspace, Reconstruction& result, StageObserver* observer) {
+    IncrementalReconstruction(frames, scan, options, workspace).finish(result, observer);
+}
+
+IncrementalReconstruction::IncrementalReconstruction(const FrameStackView& frames,
+                                                     const ScanDescription& scan,
+                                                     const Options& options, Workspace& workspace)
+    : frames_(frames), scan_(scan), options_(options), work_(workspace) {
+    work_.intake.begin(frames, scan);
+    work_.calibration.prepare(scan, work_.intake.images().width, options.recover_device);
+}
+
+void IncrementalReconstruction::take(int index) {
+    const int pattern_frame = index - scan_.first_frame;
+    if (pattern_frame >= 0 && pattern_frame < scan_.pattern.frameCount()) {
+        work_.intake.take(pattern_frame);
+    }
+}
+
+void IncrementalReconstruction::finish(Reconstruction& result, StageObserver* observer) {
+    const ScanDescription& scan = scan_;
+    const Options& options = options_;
+    Workspace& work = work_;
     const auto finished = [&](Stage stage) {
         if (observer) observer->finished(stage);
     };
     Report& report = result.report;
     report = {};
 
-    const StripeImages images = stripeImages(frames, scan, work.turned_frames);
-    work.calibration.prepare(scan, images.width, options.recover_device);
+    work.intake.turnRest();
+    const StripeImages& images = work.intake.images();
     finished(Stage::preprocess);
 
-    computePixelPlanes(images, work.planes);
-    const DecodeCounts decoded = decodeEdges(images, work.planes, work.calibration.placesInRange(),
+    work.intake.completePlanes();
+    const PixelPlanes& planes = work.intake.planes();
+    const DecodeCounts decoded = decodeEdges(images, planes, work.calibration.placesInRange(),
                                              options, work.decode, work.grid);
     report.edges_found = decoded.found;
     report.edges_decoded = decoded.decoded;
     finished(Stage::decode);
 
-    makeTexture(frames, scan, options.gamma, work.texture, result.texture);
+    makeTexture(frames_, scan, options.gamma, work.texture, result.texture);
     finished(Stage::texture);
 
     StageFindings findings;
@@ -48,8 +71,9 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
         findReferencePlanes(work.calibration, work.grid, work.points, work.reference_planes);
         const MeasuredSurface surface{work.calibration, work.grid, work.points,
                                       work.reference_planes};
+        work.intake.completeHalves();
         findings.image_motions =
-            estimateImageMotion(images, work.grid, middle.place, work.image_motion);
+            estimateImageMotion(work.intake.halves(), work.grid, middle.place, work.image_motion);
         findings.motion = estimateSurfaceMotion(surface, work.calibration, images.bits, middle,
                                                 findings.image_motions, work.motion);
         report.vertices_rejected +=
@@ -75,7 +99,7 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
         report.holes_found = holes.found;
         report.holes_filled = holes.filled;
         calibrateFilledCells(work.calibration, work.grid, work.points);
-        carryToBorder(work.calibration, work.planes, decoded.rising, work.grid, work.points);
+        carryToBorder(work.calibration, planes, decoded.rising, work.grid, work.points);
         rejectOutOfRange(scan.calibration, work.points, work.row_flags, work.grid);
     }
     finished(Stage::fill);
@@ -91,7 +115,7 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
             work.lay_mesh, result.mesh);
     finished(Stage::mesh);
 
-    assessQuality(scan, work.planes, work.grid, findings, work.quality, result.mesh, report);
+    assessQuality(scan, planes, work.grid, findings, work.quality, result.mesh, report);
     finished(Stage::quality);
 }
 

@@ -31,4 +31,28 @@ struct Reconstruction {
 void reconstruct(const FrameStackView& frames, const ScanDescription& scan, const Options& options,
                  Workspace& workspace, Reconstruction& result, StageObserver* observer = nullptr);
 
+/// The same, byte for byte, while frames are still being captured: each is worked on as it arrives,
+/// so that less remains after the last one.
+class IncrementalReconstruction {
+public:
+    /// @param frames     where the frames will be; their pixels are not read before take()
+    /// @param scan       stays as it is until the scan is finished
+    /// @param workspace  serves this scan alone until then
+    IncrementalReconstruction(const FrameStackView& frames, const ScanDescription& scan,
+                              const Options& options, Workspace& workspace);
+
+    /// The frame `index` of the stack is there and stays as it is. In any order; frames that carry
+    /// no pattern have no effect.
+    void take(int index);
+
+    /// All frames are there. Those that have not been taken are now.
+    void finish(Reconstruction& result, StageObserver* observer = nullptr);
+
+private:
+    FrameStackView frames_;
+    const ScanDescription& scan_;
+    Options options_;
+    Workspace& work_;
+};
+
 }  // namespace facescan

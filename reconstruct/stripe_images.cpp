@@ -1,25 +1,66 @@
 #include "reconstruct/stripe_images.h"
 
-#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
 
 namespace facescan {
 namespace {
 
-/// Transposes in blocks that stay in the first-level cache.
+constexpr int kBlock = 8;
+
+/// Transposes 8 × 8 pixels: two by two within each pair of rows, then pairs, then fours.
+void transposeBlock(const std::uint8_t* source, std::ptrdiff_t source_stride, std::uint8_t* target,
+                    std::ptrdiff_t target_stride) {
+    static_assert(std::endian::native == std::endian::little);
+    std::array<std::uint64_t, kBlock> rows;
+    for (int r = 0; r < kBlock; ++r) std::memcpy(&rows[r], source + r * source_stride, kBlock);
+    const auto swap = [&](int distance, std::uint64_t mask) {
+        for (int r = 0; r < kBlock; ++r) {
+            if (r & distance) continue;
+            std::uint64_t& upper = rows[r];
+            std::uint64_t& lower = rows[r + distance];
+            const std::uint64_t changed = (upper >> 8 * distance ^ lower) & mask;
+            lower ^= changed;
+            upper ^= changed << 8 * distance;
+        }
+    };
+    swap(1, 0x00FF00FF00FF00FF);
+    swap(2, 0x0000FFFF0000FFFF);
+    swap(4, 0x00000000FFFFFFFF);
+    for (int r = 0; r < kBlock; ++r) std::memcpy(target + r * target_stride, &rows[r], kBlock);
+}
+
 void transpose(const std::uint8_t* source, std::ptrdiff_t source_stride, int width, int height,
                std::uint8_t* target) {
-    constexpr int kBlock = 32;
-    for (int y0 = 0; y0 < height; y0 += kBlock) {
-        const int y1 = std::min(y0 + kBlock, height);
-        for (int x0 = 0; x0 < width; x0 += kBlock) {
-            const int x1 = std::min(x0 + kBlock, width);
-            for (int x = x0; x < x1; ++x) {
-                for (int y = y0; y < y1; ++y) {
-                    target[std::ptrdiff_t(x) * height + y] = source[y * source_stride + x];
-                }
-            }
+    const int whole_width = width - width % kBlock;
+    const int whole_height = height - height % kBlock;
+    // A strip of columns at a time, so that whole lines of the target are written.
+    for (int x = 0; x < whole_width; x += kBlock) {
+        for (int y = 0; y < whole_height; y += kBlock) {
+            transposeBlock(source + y * source_stride + x, source_stride,
+                           target + std::ptrdiff_t(x) * height + y, height);
         }
     }
+    const auto copy = [&](int x, int y) {
+        target[std::ptrdiff_t(x) * height + y] = source[y * source_stride + x];
+    };
+    for (int x = 0; x < whole_width; ++x) {
+        for (int y = whole_height; y < height; ++y) copy(x, y);
+    }
+    for (int x = whole_width; x < width; ++x) {
+        for (int y = 0; y < height; ++y) copy(x, y);
+    }
+}
+
+const std::uint8_t* firstPixel(const FrameStackView& frames, const ScanDescription& scan,
+                               int index) {
+    return frames.frame(scan.first_frame + index) +
+           std::ptrdiff_t(scan.image.y) * frames.row_stride + scan.image.x;
+}
+
+std::size_t imageBytes(const ScanDescription& scan) {
+    return std::size_t(scan.image.width) * scan.image.height;
 }
 
 }  // namespace
@@ -29,8 +70,7 @@ StripeImages stripeImages(const FrameStackView& frames, const ScanDescription& s
     const Rect& crop = scan.image;
     const Pattern& pattern = scan.pattern;
     const bool turned = pattern.axis == CodeAxis::x;
-    const std::size_t turned_bytes = std::size_t(crop.width) * crop.height;
-    if (turned) buffer.resize(turned_bytes * pattern.frameCount());
+    if (turned) buffer.resize(imageBytes(scan) * pattern.frameCount());
 
     StripeImages images;
     images.bits = pattern.bits;
@@ -41,17 +81,18 @@ StripeImages stripeImages(const FrameStackView& frames, const ScanDescription& s
     for (int pair = 0; pair < pattern.bits; ++pair) {
         for (const bool complement : {false, true}) {
             const int index = pattern.frameIndex(pair, complement);
-            const std::uint8_t* first_pixel = frames.frame(scan.first_frame + index) +
-                                              std::ptrdiff_t(crop.y) * frames.row_stride + crop.x;
-            if (turned) {
-                std::uint8_t* copy = buffer.data() + turned_bytes * index;
-                transpose(first_pixel, frames.row_stride, crop.width, crop.height, copy);
-                first_pixel = copy;
-            }
-            (complement ? images.complement : images.pattern)[pair] = first_pixel;
+            (complement ? images.complement : images.pattern)[pair] =
+                turned ? buffer.data() + imageBytes(scan) * index : firstPixel(frames, scan, index);
         }
     }
     return images;
+}
+
+void turnFrame(const FrameStackView& frames, const ScanDescription& scan, int index,
+               std::vector<std::uint8_t>& buffer) {
+    if (scan.pattern.axis != CodeAxis::x) return;
+    transpose(firstPixel(frames, scan, index), frames.row_stride, scan.image.width,
+              scan.image.height, buffer.data() + imageBytes(scan) * index);
 }
 
 }  // namespace facescan

@@ -27,9 +27,15 @@ struct StripeImages {
 };
 
 /// Stage "preprocess": discards the frames that carry no pattern and the pixels outside the image
-/// rectangle. For stripes along the image rows nothing is copied; for stripes along the columns
-/// the frames are transposed into `buffer`.
+/// rectangle. For stripes along the image rows nothing is copied. For stripes along the columns the
+/// images lie in `buffer`, to which turnFrame() brings each frame.
 StripeImages stripeImages(const FrameStackView& frames, const ScanDescription& scan,
                           std::vector<std::uint8_t>& buffer);
+
+/// Transposes a frame into its stripe image, where stripes lie along the columns.
+/// @param index   among the pattern frames, 0 … scan.pattern.frameCount() − 1
+/// @param buffer  laid out by stripeImages()
+void turnFrame(const FrameStackView& frames, const ScanDescription& scan, int index,
+               std::vector<std::uint8_t>& buffer);
 
 }  // namespace facescan

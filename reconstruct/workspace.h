@@ -7,10 +7,10 @@
 #include "reconstruct/decode.h"
 #include "reconstruct/fill.h"
 #include "reconstruct/filter.h"
+#include "reconstruct/frame_intake.h"
 #include "reconstruct/image_motion.h"
 #include "reconstruct/lay_mesh.h"
 #include "reconstruct/normals.h"
-#include "reconstruct/pixel_planes.h"
 #include "reconstruct/quality.h"
 #include "reconstruct/smooth.h"
 #include "reconstruct/surface_motion.h"
@@ -23,8 +23,7 @@ namespace facescan {
 /// Memory of a reconstruction, kept from scan to scan so that only the first one of a size
 /// allocates. Holds nothing that a caller needs to know.
 struct Workspace {
-    std::vector<std::uint8_t> turned_frames;
-    PixelPlanes planes;
+    FrameIntake intake;
     DecodeScratch decode;
     VertexGrid grid;
     GridCalibration calibration;

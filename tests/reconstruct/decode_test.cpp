@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reconstruct/grids.h"
+#include "reconstruct/stripe_image_planes.h"
 #include "reconstruct/striped_scene.h"
 
 namespace facescan {
@@ -20,9 +21,10 @@ struct Decoded {
 
 Decoded decode(const FrameStack& frames, const Pattern& pattern, const Options& options = {}) {
     std::vector<std::uint8_t> buffer;
-    const StripeImages images = stripeImages(frames.view(), wholeFrames(frames, pattern), buffer);
+    const StripeImages images =
+        allStripeImages(frames.view(), wholeFrames(frames, pattern), buffer);
     PixelPlanes planes;
-    computePixelPlanes(images, planes);
+    fillPlanes(images, planes);
     DecodeScratch scratch;
     Decoded decoded;
     decoded.counts = decodeEdges(images, planes, {}, options, scratch, decoded.grid);

@@ -7,6 +7,7 @@
 
 #include "reconstruct/decode.h"
 #include "reconstruct/grids.h"
+#include "reconstruct/stripe_image_planes.h"
 #include "reconstruct/striped_scene.h"
 
 namespace facescan {
@@ -37,9 +38,10 @@ Field exponential(double per_x, double per_y) {
 
 VertexGrid decode(const FrameStack& frames, const Pattern& pattern) {
     std::vector<std::uint8_t> buffer;
-    const StripeImages images = stripeImages(frames.view(), wholeFrames(frames, pattern), buffer);
+    const StripeImages images =
+        allStripeImages(frames.view(), wholeFrames(frames, pattern), buffer);
     PixelPlanes planes;
-    computePixelPlanes(images, planes);
+    fillPlanes(images, planes);
     DecodeScratch scratch;
     VertexGrid grid;
     decodeEdges(images, planes, {}, {}, scratch, grid);

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "reconstruct/grids.h"
+#include "reconstruct/stripe_image_planes.h"
 #include "reconstruct/striped_scene.h"
 
 namespace facescan {
@@ -74,9 +75,13 @@ VertexGrid surfaceUpTo(int last = kWidth - 11) {
 
 Motions estimate(const FrameStack& frames, const VertexGrid& grid) {
     std::vector<std::uint8_t> buffer;
-    const StripeImages images = stripeImages(frames.view(), wholeFrames(frames, kPattern), buffer);
+    const StripeImages images =
+        allStripeImages(frames.view(), wholeFrames(frames, kPattern), buffer);
     ImageMotionScratch scratch;
-    return estimateImageMotion(images, grid, kMiddle, scratch);
+    HalfImages halves;
+    beginHalfImages(images, halves);
+    addPairs(images, images.bits, halves);
+    return estimateImageMotion(halves, grid, kMiddle, scratch);
 }
 
 void expectMotions(const Motions& motions, const Motions& expected) {

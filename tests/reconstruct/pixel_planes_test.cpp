@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "reconstruct/random_frames.h"
+#include "reconstruct/stripe_image_planes.h"
 
 namespace facescan {
 namespace {
+
+using test::fillPlanes;
 
 struct PlaneLayout {
     int width;
@@ -76,7 +79,7 @@ TEST_P(PixelPlanesOfWidth, AgreeWithALoopOverPixels) {
                 2 * bits, width + first_byte, layout.height, layout.row_stride, width * 31 + bits);
             const StripeImages images = imagesIn(frames, bits, layout);
             PixelPlanes planes;
-            computePixelPlanes(images, planes);
+            fillPlanes(images, planes);
             expectPlanes(images, planes);
         }
     }
@@ -91,7 +94,7 @@ TEST(PixelPlanes, AreOverwrittenByTheNextScan) {
         const PlaneLayout layout{width, 16, width, 0};
         const FrameStack frames = test::randomFrames(16, width, 16, width, width);
         const StripeImages images = imagesIn(frames, 8, layout);
-        computePixelPlanes(images, planes);
+        fillPlanes(images, planes);
         expectPlanes(images, planes);
     }
 }
@@ -100,7 +103,7 @@ TEST(PixelPlanes, HoldTheSumOfTwelvePairsOfWhiteFrames) {
     FrameStack frames = test::randomFrames(24, 16, 16, 16, 1);
     std::fill(frames.pixels.begin(), frames.pixels.end(), std::uint8_t(255));
     PixelPlanes planes;
-    computePixelPlanes(imagesIn(frames, 12, {16, 16, 16, 0}), planes);
+    fillPlanes(imagesIn(frames, 12, {16, 16, 16, 0}), planes);
     EXPECT_EQ(planes.brightness.front(), 24 * 255);
     EXPECT_EQ(planes.modulation.front(), 0);
     EXPECT_EQ(planes.stripe.front(), 0) << "equal pixels are not lit";

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <random>
 
 #include "reconstruct/allocations.h"
 #include "reconstruct/mesh_topology.h"
@@ -162,6 +164,72 @@ TEST(Reconstruct, AllocatesNothingAfterTheFirstScan) {
         reconstruct(scan.frames.view(), scan.description, {}, workspace, result);
         EXPECT_EQ(allocations().blocks, before);
     }
+}
+
+/// Reconstructs while frames are copied to their places in this order.
+Reconstruction runAsTheyArrive(const Scan& scan, const std::vector<int>& order, std::size_t taken,
+                               Workspace& workspace) {
+    FrameStack arriving = scan.frames;
+    std::fill(arriving.pixels.begin(), arriving.pixels.end(), std::uint8_t(0x5A));
+    IncrementalReconstruction incremental(arriving.view(), scan.description, {}, workspace);
+    const std::size_t bytes = arriving.view().frameBytes();
+    for (std::size_t n = 0; n < order.size(); ++n) {
+        std::copy_n(scan.frames.view().frame(order[n]), bytes,
+                    arriving.pixels.begin() + std::ptrdiff_t(bytes) * order[n]);
+        if (n < taken) incremental.take(order[n]);
+    }
+    Reconstruction result;
+    incremental.finish(result);
+    return result;
+}
+
+TEST(IncrementalReconstruction, GivesTheSameBytesAsAllFramesAtOnce) {
+    for (const CodeAxis axis : {CodeAxis::x, CodeAxis::y}) {
+        for (const FrameOrder frame_order : {FrameOrder::interleaved, FrameOrder::grouped}) {
+            const Scan scan = scanOf({.axis = axis}, ball(), frame_order);
+            const Reconstruction expected = run(scan);
+            std::vector<int> order(scan.frames.count);
+            std::iota(order.begin(), order.end(), 0);
+            Workspace workspace;
+            expectSameResult(runAsTheyArrive(scan, order, order.size(), workspace), expected);
+            std::reverse(order.begin(), order.end());
+            expectSameResult(runAsTheyArrive(scan, order, order.size(), workspace), expected);
+            std::shuffle(order.begin(), order.end(), std::mt19937(3));
+            expectSameResult(runAsTheyArrive(scan, order, order.size(), workspace), expected);
+            // Frames that were never announced count all the same.
+            expectSameResult(runAsTheyArrive(scan, order, 5, workspace), expected);
+        }
+    }
+}
+
+TEST(IncrementalReconstruction, DoesNotMindFramesWithoutPatternOrTakenTwice) {
+    Scan scan = scanOf({}, ball());
+    const Reconstruction expected = run(scan);
+    // Two frames before the pattern, one behind it.
+    const std::size_t bytes = scan.frames.view().frameBytes();
+    scan.frames.pixels.insert(scan.frames.pixels.begin(), 2 * bytes, std::uint8_t(77));
+    scan.frames.pixels.insert(scan.frames.pixels.end(), bytes, std::uint8_t(200));
+    scan.frames.count += 3;
+    scan.description.first_frame = 2;
+    std::vector<int> order{0, 1, 2, 2, 3, 18};
+    for (int frame = 2; frame < 18; ++frame) order.push_back(frame);
+    Workspace workspace;
+    expectSameResult(runAsTheyArrive(scan, order, order.size(), workspace), expected);
+}
+
+TEST(IncrementalReconstruction, AllocatesNothingAfterTheFirstScan) {
+    const Scan scan = scanOf({.axis = CodeAxis::x}, ball());
+    Workspace workspace;
+    Reconstruction result;
+    const auto reconstructOnce = [&] {
+        IncrementalReconstruction incremental(scan.frames.view(), scan.description, {}, workspace);
+        for (int frame = 0; frame < scan.frames.count; ++frame) incremental.take(frame);
+        incremental.finish(result);
+    };
+    reconstructOnce();
+    const long before = allocations().blocks;
+    reconstructOnce();
+    EXPECT_EQ(allocations().blocks, before);
 }
 
 TEST(Reconstruct, UsesOnlyItsPartOfTheFrames) {

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "reconstruct/random_frames.h"
+#include "reconstruct/stripe_image_planes.h"
 
 namespace facescan {
 namespace {
 
+using test::allStripeImages;
 using test::randomFrames;
 
 constexpr Rect kCrop{5, 3, 41, 37};
@@ -31,7 +33,7 @@ TEST(StripeImages, AreTheCroppedFramesWhereStripesLieAlongRows) {
     const FrameStack frames = someFrames();
     std::vector<std::uint8_t> buffer;
     const StripeImages images =
-        stripeImages(frames.view(), describe(CodeAxis::y, FrameOrder::interleaved, 0), buffer);
+        allStripeImages(frames.view(), describe(CodeAxis::y, FrameOrder::interleaved, 0), buffer);
     ASSERT_EQ(images.bits, 6);
     ASSERT_EQ(images.width, kCrop.width);
     ASSERT_EQ(images.height, kCrop.height);
@@ -53,7 +55,7 @@ TEST(StripeImages, AreNotCopiedWhereStripesLieAlongRows) {
     const FrameStack frames = someFrames();
     std::vector<std::uint8_t> buffer;
     const StripeImages images =
-        stripeImages(frames.view(), describe(CodeAxis::y, FrameOrder::interleaved, 0), buffer);
+        allStripeImages(frames.view(), describe(CodeAxis::y, FrameOrder::interleaved, 0), buffer);
     EXPECT_TRUE(buffer.empty());
     EXPECT_EQ(images.patternRow(0, 0), &frames.pixels[kCrop.y * frames.row_stride + kCrop.x]);
 }
@@ -62,7 +64,7 @@ TEST(StripeImages, AreTransposedWhereStripesLieAlongColumns) {
     const FrameStack frames = someFrames();
     std::vector<std::uint8_t> buffer;
     const StripeImages images =
-        stripeImages(frames.view(), describe(CodeAxis::x, FrameOrder::interleaved, 0), buffer);
+        allStripeImages(frames.view(), describe(CodeAxis::x, FrameOrder::interleaved, 0), buffer);
     ASSERT_EQ(images.width, kCrop.height);
     ASSERT_EQ(images.height, kCrop.width);
     for (int pair = 0; pair < 6; ++pair) {
@@ -84,7 +86,7 @@ TEST(StripeImages, FindTheFramesOfAGroupedScanBehindOthers) {
     for (const CodeAxis axis : {CodeAxis::x, CodeAxis::y}) {
         std::vector<std::uint8_t> buffer;
         const StripeImages images =
-            stripeImages(frames.view(), describe(axis, FrameOrder::grouped, 2), buffer);
+            allStripeImages(frames.view(), describe(axis, FrameOrder::grouped, 2), buffer);
         for (int pair = 0; pair < 6; ++pair) {
             EXPECT_EQ(images.patternRow(pair, 0)[0], pixelOf(frames, 2 + pair, kCrop.x, kCrop.y));
             EXPECT_EQ(images.complementRow(pair, 0)[0],
@@ -97,7 +99,7 @@ TEST(StripeImages, UseTheBufferOfAnEarlierScanAgain) {
     const FrameStack frames = someFrames();
     std::vector<std::uint8_t> buffer(100000, 7);
     const std::uint8_t* memory = buffer.data();
-    stripeImages(frames.view(), describe(CodeAxis::x, FrameOrder::grouped, 0), buffer);
+    allStripeImages(frames.view(), describe(CodeAxis::x, FrameOrder::grouped, 0), buffer);
     EXPECT_EQ(buffer.data(), memory);
 }
 
