@@ -211,7 +211,6 @@ int smoothEdges(const Options& options, const EdgeNoise& noise, SmoothScratch& s
         markCovered(grid, kWindows[window], scratch.regular, scratch.row, scratch.covered[window]);
     }
     scratch.planes.assign(grid);
-    grid.scratch = grid.y;
     RegularFilter filter(grid, limits, scratch);
     for (int code = 1; code < grid.codes; ++code) filter.filterRow(code, grid.scratch);
 

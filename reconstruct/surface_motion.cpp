@@ -366,7 +366,6 @@ void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& g
     planes.mm_per_px.resize(grid.size());
     planes.known.assign(grid.size(), 0);
     planes.ahead.resize(grid.columns);
-    planes.behind.resize(grid.columns);
     markMeasured(grid, planes.measured);
     planes.none.assign(grid.columns, 0);
     for (int code = 2; code + 1 < grid.codes; code += 2) {
@@ -386,8 +385,7 @@ void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& g
                        m[b] & m[b - kReach] & m[b + kReach];
         }
         const float* y = grid.y.data() + i;
-        calibration.row(code, first, count, y, 0.5f, rowFrom(planes.ahead, 0));
-        calibration.row(code, first, count, y, -0.5f, rowFrom(planes.behind, 0));
+        calibration.row(code, first, count, y, 1, rowFrom(planes.ahead, 0));
         const bool has_above = code > 3;
         const bool has_below = code + 3 < grid.codes;
         const std::size_t beyond_above = has_above ? above - 2 * row : above;
@@ -395,8 +393,8 @@ void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& g
         kernels().referencePlanes(
             {.above = rowFrom(points, above),
              .below = rowFrom(points, below),
+             .here = rowFrom(points, i),
              .ahead = rowFrom(planes.ahead, 0),
-             .behind = rowFrom(planes.behind, 0),
              .reach = kReach,
              .least_mm_per_px = kEdgeOn,
              .above_y = grid.y.data() + above,

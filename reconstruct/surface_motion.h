@@ -39,9 +39,8 @@ struct ReferencePlanes {
     std::vector<float> mm_per_px;     ///< along the normal, for a pixel of the edge's place
     std::vector<std::uint8_t> known;  ///< by cell: 1 where the plane is
 
-    // Scratch: the first two and the last of one row.
+    // Scratch: the first and the last of one row.
     PointPlanes ahead;
-    PointPlanes behind;
     std::vector<std::uint8_t> measured;
     std::vector<std::uint8_t> none;
 };

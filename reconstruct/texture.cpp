@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "reconstruct/kernels/form.h"
+
 namespace facescan {
 namespace {
 
@@ -26,8 +28,8 @@ GammaTable gammaTable(double gamma) {
 }
 
 /// Corrects a row of the pair's sum, and repeats its ends for the filter.
-void correctRow(const std::uint8_t* p, const std::uint8_t* c, int width, const GammaTable& table,
-                std::uint16_t* padded) {
+FACESCAN_KERNEL void correctRow(const std::uint8_t* p, const std::uint8_t* c, int width,
+                                const GammaTable& table, std::uint16_t* padded) {
     std::uint16_t* corrected = padded + kRadius;
     for (int x = 0; x < width; ++x) corrected[x] = table[p[x] + c[x]];
     for (int n = 0; n < kRadius; ++n) {
@@ -37,8 +39,8 @@ void correctRow(const std::uint8_t* p, const std::uint8_t* c, int width, const G
 }
 
 /// Sums of kDiameter neighbours along the row.
-void sumAlongRow(const std::uint16_t* __restrict padded, int width,
-                 std::uint16_t* __restrict sums) {
+FACESCAN_KERNEL void sumAlongRow(const std::uint16_t* __restrict padded, int width,
+                                 std::uint16_t* __restrict sums) {
     for (int x = 0; x < width; ++x) {
         sums[x] = std::uint16_t(padded[x] + padded[x + 1] + padded[x + 2] + padded[x + 3] +
                                 padded[x + 4]);
@@ -46,8 +48,9 @@ void sumAlongRow(const std::uint16_t* __restrict padded, int width,
 }
 
 /// Adds a row that the filter reaches and takes away the one that it leaves.
-void moveDown(const std::uint16_t* __restrict enters, const std::uint16_t* __restrict leaves,
-              int width, std::uint16_t* __restrict sums) {
+FACESCAN_KERNEL void moveDown(const std::uint16_t* __restrict enters,
+                              const std::uint16_t* __restrict leaves, int width,
+                              std::uint16_t* __restrict sums) {
     for (int x = 0; x < width; ++x) sums[x] = std::uint16_t(sums[x] + enters[x] - leaves[x]);
 }
 
@@ -63,8 +66,8 @@ int quantile(const std::vector<std::uint32_t>& histogram, std::size_t pixels, do
 }
 
 /// Maps low … high to 0 … 255.
-void stretchRow(const std::uint16_t* __restrict sums, int width, std::uint32_t low,
-                std::uint32_t high, std::uint8_t* __restrict grey) {
+FACESCAN_KERNEL void stretchRow(const std::uint16_t* __restrict sums, int width, std::uint32_t low,
+                                std::uint32_t high, std::uint8_t* __restrict grey) {
     const std::uint32_t range = high - low;
     const std::uint32_t scale = (255u << 16) / range;
     for (int x = 0; x < width; ++x) {
@@ -148,16 +151,20 @@ void makeTexture(const FrameStackView& frames, const ScanDescription& scan, doub
         scratch.table = gammaTable(gamma);
     }
     scratch.corrected.resize(std::size_t(width) + 2 * kRadius);
-    scratch.row_sums.resize(pixels);
+    // From the row that the filter leaves to the one that it reaches.
+    constexpr int kRows = kDiameter + 1;
+    scratch.row_sums.resize(std::size_t(width) * kRows);
     scratch.filtered.resize(pixels);
     const auto row_sums = [&](int y) {
-        return scratch.row_sums.data() + std::size_t(std::clamp(y, 0, height - 1)) * width;
+        return scratch.row_sums.data() + std::size_t(std::clamp(y, 0, height - 1) % kRows) * width;
     };
-    for (int y = 0; y < height; ++y) {
+    const auto prepare_row = [&](int y) {
+        if (y >= height) return;
         correctRow(finest(false, y), finest(true, y), width, scratch.table,
                    scratch.corrected.data());
         sumAlongRow(scratch.corrected.data(), width, row_sums(y));
-    }
+    };
+    for (int y = 0; y < kRadius; ++y) prepare_row(y);
 
     scratch.column_sums.assign(width, 0);
     scratch.no_row.assign(width, 0);
@@ -166,6 +173,7 @@ void makeTexture(const FrameStackView& frames, const ScanDescription& scan, doub
         moveDown(row_sums(y), scratch.no_row.data(), width, column_sums);
     }
     for (int y = 0; y < height; ++y) {
+        prepare_row(y + kRadius);
         const std::uint16_t* leaves = y > 0 ? row_sums(y - kRadius - 1) : scratch.no_row.data();
         moveDown(row_sums(y + kRadius), leaves, width, column_sums);
         std::copy_n(column_sums, width, scratch.filtered.data() + std::size_t(y) * width);

@@ -19,8 +19,8 @@ struct TextureScratch {
     double gamma = -1;                       ///< for which the table was made
     std::array<std::uint16_t, 511> table{};  ///< level of the sum of two pixels
     std::vector<std::uint16_t> corrected;    ///< one row, with the filter's reach at both ends
-    std::vector<std::uint16_t> row_sums;     ///< of the texture's size
-    std::vector<std::uint16_t> filtered;     ///< likewise
+    std::vector<std::uint16_t> row_sums;     ///< rows around the one that is filtered
+    std::vector<std::uint16_t> filtered;     ///< of the texture's size
     std::vector<std::uint16_t> column_sums;  ///< one row
     std::vector<std::uint16_t> no_row;       ///< one row of zeros
     std::vector<std::uint32_t> histogram;

@@ -1,5 +1,7 @@
 #include "reconstruct/window_fit.h"
 
+#include <algorithm>
+
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/normal_equations.h"
@@ -59,18 +61,27 @@ const FixedFilter& fixedFilter(int window) {
 }
 
 void FitPlanes::assign(const VertexGrid& grid) {
-    stride = grid.columns + 2 * kMarginColumns + kBeyond;
-    const std::size_t size = stride * (grid.codes + 2 * kMarginCodes) + kBeyond;
-    y.assign(size, 0.0f);
-    present.assign(size, 0.0f);
+    const std::ptrdiff_t row_length = grid.columns + 2 * kMarginColumns + kBeyond;
+    const std::size_t size = row_length * (grid.codes + 2 * kMarginCodes) + kBeyond;
+    if (stride != row_length || y.size() != size) {
+        stride = row_length;
+        y.assign(size, 0.0f);
+        present.assign(size, 0.0f);
+        written.assign(grid.codes, {});
+    }
     for (int code = 1; code < grid.codes; ++code) {
-        const std::size_t row = grid.index(code, 0);
-        float* row_y = y.data() + index(code, 0);
-        float* row_present = present.data() + index(code, 0);
-        const auto [first, end] = grid.extent[code];
-        if (first >= end) continue;
-        copyMeasured(&grid.cell[row + first], &grid.y[row + first], end - first, row_y + first,
-                     row_present + first);
+        // What the grid before left elsewhere goes too.
+        Extent extent = grid.extent[code];
+        Extent& before = written[code];
+        if (extent.first >= extent.end) extent = before;
+        if (before.first < before.end) {
+            extent = {std::min(extent.first, before.first), std::max(extent.end, before.end)};
+        }
+        before = grid.extent[code];
+        if (extent.first >= extent.end) continue;
+        const std::size_t i = grid.index(code, extent.first);
+        copyMeasured(&grid.cell[i], &grid.y[i], extent.end - extent.first,
+                     &y[index(code, extent.first)], &present[index(code, extent.first)]);
     }
 }
 

@@ -19,9 +19,10 @@ const FixedFilter& fixedFilter(int window);
 /// The measured edges of a grid with a margin as wide as the widest window, so that a window at the
 /// border is like any other.
 struct FitPlanes {
-    std::ptrdiff_t stride = 0;   ///< from one code to the next
-    std::vector<float> y;        ///< px; 0 where nothing is measured
-    std::vector<float> present;  ///< 1 where an edge is measured, else 0
+    std::ptrdiff_t stride = 0;    ///< from one code to the next
+    std::vector<float> y;         ///< px; 0 where nothing is measured
+    std::vector<float> present;   ///< 1 where an edge is measured, else 0
+    std::vector<Extent> written;  ///< by code: outside, y and present are 0
 
     void assign(const VertexGrid& grid);
     std::ptrdiff_t index(int code, int column) const;

@@ -172,13 +172,12 @@ struct PolynomialRow {
 };
 
 /// Rows of points around a row of cells: the finest pair's above and below, at the columns to the
-/// left and right as far as `reach`, and the cells' own for half a pixel of their edges more and
-/// less.
+/// left and right as far as `reach`, the cells' own, and those for a pixel more of their edges.
 struct ReferenceRows {
     ConstPointRow above;
     ConstPointRow below;
+    ConstPointRow here;
     ConstPointRow ahead;
-    ConstPointRow behind;
     int reach;
     float least_mm_per_px;  ///< seen more edge on than this, a plane is of no use
 

@@ -55,7 +55,7 @@ FACESCAN_KERNEL void referencePlanes(const ReferenceRows& rows, int count,
         constexpr float kSmallest = 1e-20f;
         const auto exists = L(kSmallest) < square;
         const Vector unit = normal * inverseRoot(select(exists, square, L(1.0f)));
-        const L mm_per_px = dot(unit, Vector::load(rows.ahead, i) - Vector::load(rows.behind, i));
+        const L mm_per_px = dot(unit, Vector::load(rows.ahead, i) - Vector::load(rows.here, i));
         unit.store(planes.normal, i);
         mm_per_px.store(planes.mm_per_px + i);
         const auto frontal = L(rows.least_mm_per_px) < abs(mm_per_px);

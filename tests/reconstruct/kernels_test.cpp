@@ -303,8 +303,8 @@ TEST_P(KernelsIn, FindReferencePlanesAndMoveEdges) {
     for (const Case& c : cases()) {
         const PointPlanes above = points(0, 50);
         const PointPlanes below = points(0, 50);
+        const PointPlanes here = points(0, 2);
         const PointPlanes ahead = points(0, 2);
-        const PointPlanes behind = points(0, 2);
         const auto known = flags();
         const auto beyond = flags();
         const auto places = floats(100, 102);
@@ -317,8 +317,8 @@ TEST_P(KernelsIn, FindReferencePlanesAndMoveEdges) {
             const ReferencePlaneRow planes{rowFrom(normal, at), &mm_per_px[at], &useful[at]};
             kernel.referencePlanes({.above = rowFrom(above, at),
                                     .below = rowFrom(below, at),
+                                    .here = rowFrom(here, 0),
                                     .ahead = rowFrom(ahead, 0),
-                                    .behind = rowFrom(behind, 0),
                                     .reach = 4,
                                     .least_mm_per_px = 0.15f,
                                     .above_y = &places[at],
