@@ -2,28 +2,34 @@
 
 #include <algorithm>
 
+#include "reconstruct/kernels/form.h"
+#include "reconstruct/kernels/kernels.h"
+
 namespace facescan {
 namespace {
 
-/// Marks the cells of a row that a triangle uses. @returns how many
-int markUsed(const VertexGrid& grid, const Quads& quads, int code, std::uint8_t* used) {
-    const auto [first, end] = grid.extent[code];
-    const std::size_t row = grid.index(code, 0);
-    const std::size_t north = row - grid.columns;
-    const std::uint8_t* a = quads.first.data();
-    const std::uint8_t* b = quads.second.data();
-    const std::uint8_t* f = quads.falling.data();
-    // As the north-west and the south-west corner; the quads of row 0 are empty.
+/// Marks the cells of a row that a triangle uses: those of the quads to the south and to the north.
+/// @returns how many
+FACESCAN_KERNEL int markUsed(const QuadFlags& south, const QuadFlags& north, int first, int end,
+                             std::uint8_t* __restrict used) {
+    const std::uint8_t* __restrict a = south.first;
+    const std::uint8_t* __restrict b = south.second;
+    const std::uint8_t* __restrict falling = south.falling;
+    const std::uint8_t* __restrict north_a = north.first;
+    const std::uint8_t* __restrict north_b = north.second;
+    const std::uint8_t* __restrict north_falling = north.falling;
+    // As the north-west and the south-west corner.
+#pragma GCC ivdep
     for (int x = first; x < end; ++x) {
-        const std::uint8_t rises = f[north + x] ^ 1;
-        used[x] = std::uint8_t(a[row + x] | (b[row + x] & f[row + x]) | b[north + x] |
-                               (a[north + x] & rises));
+        const std::uint8_t rises = north_falling[x] ^ 1;
+        used[x] = std::uint8_t(a[x] | (b[x] & falling[x]) | north_b[x] | (north_a[x] & rises));
     }
     // As the north-east and the south-east corner.
+#pragma GCC ivdep
     for (int x = std::max(first, 1); x < end; ++x) {
-        const std::uint8_t rises = f[row + x - 1] ^ 1;
-        used[x] |= std::uint8_t(a[row + x - 1] | (b[row + x - 1] & rises) | b[north + x - 1] |
-                                (a[north + x - 1] & f[north + x - 1]));
+        const std::uint8_t rises = falling[x - 1] ^ 1;
+        used[x] |= std::uint8_t(a[x - 1] | (b[x - 1] & rises) | north_b[x - 1] |
+                                (north_a[x - 1] & north_falling[x - 1]));
     }
     int count = 0;
     for (int x = first; x < end; ++x) count += used[x];
@@ -73,7 +79,11 @@ void layMesh(const ScanDescription& scan, const VertexGrid& grid, const PointPla
     std::size_t vertices = 0;
     std::size_t triangles = 0;
     for (int code = 1; code < grid.codes; ++code) {
-        vertices += markUsed(grid, quads, code, scratch.used.data() + grid.index(code, 0));
+        // The quads of row 0 are empty.
+        const auto [first, end] = grid.extent[code];
+        const std::size_t row = grid.index(code, 0);
+        vertices += markUsed(quads.from(row), quads.from(row - grid.columns), first, end,
+                             scratch.used.data() + row);
         triangles += countTriangles(grid, quads, code);
     }
     mesh.vertices.resize(vertices);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/median.h"
 #include "reconstruct/normal_equations.h"
@@ -207,6 +208,18 @@ constexpr float kImageTurnRad = 0.0002f;
 /// How much a head turns against the scanner from one pair to the next.
 constexpr float kTurnStepRad = 0.0007f;
 
+/// Flags the cells with an edge around which the points of the rows above and below are measured.
+FACESCAN_KERNEL void markBetween(const Cell* __restrict cell, const std::uint8_t* __restrict above,
+                                 const std::uint8_t* __restrict below, int count,
+                                 std::uint8_t* __restrict flags) {
+#pragma GCC ivdep
+    for (int x = 0; x < count; ++x) {
+        const std::uint8_t there = cell[x] != Cell::empty ? 1 : 0;
+        flags[x] = there & above[x] & above[x - kReach] & above[x + kReach] & below[x] &
+                   below[x - kReach] & below[x + kReach];
+    }
+}
+
 /// The equations of a pair's vertices.
 void collectEquations(const MeasuredSurface& surface, const Point& centre, int pair, int bits,
                       AlignmentEquations& equations) {
@@ -378,12 +391,7 @@ void findReferencePlanes(const GridCalibration& calibration, const VertexGrid& g
         const std::size_t below = i + row;
         std::uint8_t* known = planes.known.data() + i;
         const std::uint8_t* m = planes.measured.data();
-        for (int x = 0; x < count; ++x) {
-            const std::size_t a = above + x;
-            const std::size_t b = below + x;
-            known[x] = (grid.cell[i + x] != Cell::empty) & m[a] & m[a - kReach] & m[a + kReach] &
-                       m[b] & m[b - kReach] & m[b + kReach];
-        }
+        markBetween(&grid.cell[i], m + above, m + below, count, known);
         const float* y = grid.y.data() + i;
         calibration.row(code, first, count, y, 1, rowFrom(planes.ahead, 0));
         const bool has_above = code > 3;

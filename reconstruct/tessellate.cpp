@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
+
+#include "reconstruct/byte_group.h"
+#include "reconstruct/kernels/form.h"
 
 namespace facescan {
 namespace {
@@ -61,6 +63,28 @@ void dropLongTriangles(const VertexGrid& grid, float limit_mm, const TessellateS
     }
 }
 
+/// The flags of a row of quads' triangles.
+struct TriangleFlags {
+    const std::uint8_t* first;
+    const std::uint8_t* second;
+};
+
+/// Marks the cells that are there and around which a triangle is missing.
+FACESCAN_KERNEL void markSuspects(const TriangleFlags& south, const TriangleFlags& north,
+                                  const std::uint8_t* __restrict present, int first, int end,
+                                  std::uint8_t* __restrict suspect) {
+    const std::uint8_t* __restrict a = south.first;
+    const std::uint8_t* __restrict b = south.second;
+    const std::uint8_t* __restrict c = north.first;
+    const std::uint8_t* __restrict d = north.second;
+#pragma GCC ivdep
+    for (int x = first; x < end; ++x) {
+        const std::uint8_t whole =
+            a[x] & b[x] & c[x] & d[x] & a[x - 1] & b[x - 1] & c[x - 1] & d[x - 1];
+        suspect[x] = present[x] & std::uint8_t(whole ^ 1);
+    }
+}
+
 /// Leaves one fan of triangles around each vertex.
 class FanFilter {
 public:
@@ -94,22 +118,13 @@ private:
         suspect.assign(std::size_t(grid_.columns) + VertexGrid::kBeyond, 0);
         const std::size_t row = grid_.index(code, 0);
         const std::size_t north = row - grid_.columns;
-        const std::uint8_t* a = quads_.first.data();
-        const std::uint8_t* b = quads_.second.data();
-        for (int x = std::max(first, 1); x < end; ++x) {
-            const std::uint8_t whole = a[row + x] & b[row + x] & a[row + x - 1] & b[row + x - 1] &
-                                       a[north + x] & b[north + x] & a[north + x - 1] &
-                                       b[north + x - 1];
-            suspect[x] = scratch.present[row + x] & std::uint8_t(whole ^ 1);
-        }
+        markSuspects({&quads_.first[row], &quads_.second[row]},
+                     {&quads_.first[north], &quads_.second[north]}, &scratch.present[row],
+                     std::max(first, 1), end, suspect.data());
         if (first == 0) suspect[0] = scratch.present[row];
-        for (int group = first; group < end; group += 8) {
-            std::uint64_t any;
-            std::memcpy(&any, suspect.data() + group, sizeof any);
-            if (any == 0) continue;
-            for (int x = group; x < std::min(group + 8, end); ++x) {
-                if (suspect[x]) visit(x);
-            }
+        for (int x = first; x < end; ++x) {
+            x += ByteGroup(suspect.data() + x).matches(1).lead();
+            if (x < end && suspect[x]) visit(x);
         }
     }
 
