@@ -335,6 +335,9 @@ template <typename Lanes>
 FACESCAN_KERNEL void fitWindows(FitSpan& span) {
     static_assert(FitSpan::kSize % Lanes::kCount == 0);
     for (int lane = 0; lane < FitSpan::kSize; lane += Lanes::kCount) {
+        int wanted = 0;
+        for (int n = 0; n < Lanes::kCount; ++n) wanted += span.wanted[lane + n];
+        if (wanted == 0) continue;
         WindowFitter<Lanes> fitter(span, lane);
         Lanes correction;
         fitter.fit(correction).store(span.consistent.data() + lane);

@@ -90,12 +90,20 @@ TEST_P(DecodeOfBits, FindsEveryEdgeOnceAtItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(Bits, DecodeOfBits, testing::Range(kMinBits, kMaxBits + 1));
 
-TEST(Decode, FindsEveryEdgeInAnImageOfFewRows) {
-    GTEST_SKIP() << "codes beyond 20 for each row of the image are dropped";
+TEST(Decode, DropsCodesThatAnImageOfFewRowsCannotTellApart) {
+    // Twelve bits in twenty rows: the grid holds twenty codes for each row, and none beyond.
     const Pattern pattern{.bits = 12};
-    const LinearCode code{3000.4, 0.01, 0.25};
-    const Decoded decoded = decode(drawScan({.code = code}, pattern, 24, 20), pattern);
-    expectEdgesOf(code, 20, decoded.grid);
+    for (const double at_origin : {100.4, 3000.4}) {
+        const LinearCode code{at_origin, 0.01, 0.25};
+        const Decoded decoded = decode(drawScan({.code = code}, pattern, 24, 20), pattern);
+        EXPECT_EQ(decoded.grid.codes, 400);
+        EXPECT_GT(decoded.counts.decoded, 0);
+        if (at_origin < 400) {
+            expectEdgesOf(code, 20, decoded.grid);
+        } else {
+            EXPECT_EQ(countCells(decoded.grid, Cell::measured), 0);
+        }
+    }
 }
 
 TEST(Decode, FindsTheSameEdgesInAnImageOnItsSide) {
