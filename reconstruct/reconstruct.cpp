@@ -70,7 +70,10 @@ void reconstruct(const FrameStackView& frames, const ScanDescription& scan, cons
         report.holes_found = holes.found;
         report.holes_filled = holes.filled;
         calibrateFilledCells(work.calibration, work.grid, work.points);
-        carryToBorder(work.calibration, work.planes, decoded.rising, work.grid, work.points);
+        carryToBorder(
+            options,
+            {work.calibration, work.planes, findings.image_motions, images.bits, decoded.rising},
+            work.border, work.grid, work.points);
         rejectOutOfRange(scan.calibration, work.points, work.grid);
     }
     finished(Stage::fill);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reconstruct/border.h"
 #include "reconstruct/calibrate.h"
 #include "reconstruct/decode.h"
 #include "reconstruct/fill.h"
@@ -35,6 +36,7 @@ struct Workspace {
     FilterScratch filter;
     SmoothScratch smooth;
     FillScratch fill;
+    BorderScratch border;
     TessellateScratch tessellate;
     Quads quads;
     NormalScratch normal;
