@@ -1,96 +1,239 @@
 #include "reconstruct/border.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+
+#include "reconstruct/byte_group.h"
+#include "reconstruct/kernels/form.h"
 
 namespace facescan {
 namespace {
 
 constexpr float kHalfPixel = 0.5f;
+constexpr int kWellLit = 3;      // times the least modulation: no edge confirms these pixels
+constexpr float kWidest = 1.5f;  // stripes widen or narrow by less from one to the next
 
-/// The image's first or last row.
-struct Border {
-    int row;
-    float outward;    ///< −1 or 1: the direction of y
-    int code_toward;  ///< the code's step towards it
-
-    /// How far beyond the middle of the row's pixels, px.
-    float beyond(float y) const { return outward * (y - float(row)); }
-    /// Where the row's pixels end, px.
-    float end() const { return float(row) + outward * kHalfPixel; }
-};
+/// Flags the cells that are the last of a column's run of measured cells, and not its first.
+FACESCAN_KERNEL void markLast(const Cell* __restrict before, const Cell* __restrict here,
+                              const Cell* __restrict next, int count,
+                              std::uint8_t* __restrict last) {
+#pragma GCC ivdep
+    for (int x = 0; x < count; ++x) {
+        last[x] =
+            (here[x] == Cell::measured) & (before[x] == Cell::measured) & (next[x] == Cell::empty);
+    }
+}
 
 Point between(const Point& a, const Point& b, float share) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
 }
 
-/// The code of the edge before the stripe that the pixel at the border shows.
-int lastCode(const PixelPlanes& planes, const Border& border, int column) {
-    const int stripe = planes.stripe[planes.index(column, border.row)];
-    return border.code_toward > 0 ? stripe : stripe + 1;
-}
-
-/// How far the next edge lies from the last of a column, px: the stripes go on widening, at half
-/// the rate at which they did, since two differences of places carry more noise than one.
-float nextWidth(const VertexGrid& grid, int code, int column, int step) {
-    constexpr float kWidest = 1.5f;
-    const float* y = grid.y.data();
-    const std::size_t before = grid.index(code - step, column);
-    const float width = y[grid.index(code, column)] - y[before];
-    const int third = code - 2 * step;
-    if (third < 1 || third >= grid.codes) return width;
-    const std::size_t i = grid.index(third, column);
-    if (grid.cell[i] != Cell::measured) return width;
-    const float next = width + 0.5f * (width - (y[before] - y[i]));
-    const float ratio = next / width;
-    return ratio > 1 / kWidest && ratio < kWidest ? next : width;
-}
-
-/// Fills the cell after a column's last edge, where that edge is the column's last.
-bool carryOn(const GridCalibration& calibration, const Border& border, int code, int column,
-             VertexGrid& grid, PointPlanes& points) {
-    constexpr float kLeast = 1;  // px: triangles lower than this would point anywhere
-    const int step = border.code_toward;
-    if (code < 2 || code + 1 >= grid.codes) return false;
-    const std::size_t last = grid.index(code, column);
-    const std::size_t before = grid.index(code - step, column);
-    const std::size_t next = grid.index(code + step, column);
-    if (grid.cell[last] != Cell::measured || grid.cell[before] != Cell::measured ||
-        grid.cell[next] != Cell::empty) {
-        return false;
+/// Carries columns on from their last edges, in one direction.
+class SurfaceCarrier {
+public:
+    /// @param step  of the code, −1 or 1
+    SurfaceCarrier(const Options& options, const SeenStripes& seen, int step)
+        : seen_(seen),
+          least_modulation_(kWellLit * options.min_modulation),
+          max_step_(float(options.max_step_px)),
+          step_(step),
+          outward_(seen.rising ? step : -step) {
+        constexpr float kStill = 0.3f;  // px
+        for (int pair = 0; pair < seen.bits; ++pair) {
+            const ImageMotion& motion = seen.motions[pair];
+            still_[pair] = motion.column * motion.column + motion.y * motion.y < kStill * kStill;
+        }
     }
-    const float width = nextWidth(grid, code, column, step);
-    const float place = grid.y[last] + width;
-    const float to_border = kHalfPixel - border.beyond(grid.y[last]);
-    if (border.outward * width <= 0 || to_border <= kLeast || border.beyond(place) <= 0) {
-        return false;
+
+    int carry(BorderScratch& scratch, VertexGrid& grid, PointPlanes& points) const {
+        scratch.last.assign(grid.columns + ByteGroup::kSize, 0);
+        scratch.width.resize(grid.columns);
+        scratch.shown.resize(grid.columns);
+        int filled = 0;
+        for (int code = 2; code + 1 < grid.codes; ++code) {
+            const auto [first, end] = grid.extent[code];
+            if (first >= end) continue;
+            const Cell* here = grid.cell.data() + grid.index(code, first);
+            const std::ptrdiff_t row = std::ptrdiff_t(step_) * grid.columns;
+            markLast(here - row, here, here + row, end - first, scratch.last.data() + first);
+            bool any = false;
+            forEachFlag(scratch.last, first, end, [&](int column) {
+                any = true;
+                lookAhead(code, column, grid, scratch);
+            });
+            if (!any) continue;
+            forEachFlag(scratch.last, first, end, [&](int column) {
+                if (!(scratch.shown[column] > kLeast)) return;
+                const float width = smoothedWidth(code, column, first, end, grid, scratch);
+                const float shown = std::fmin(scratch.shown[column], width);
+                filled += carryOn(code, column, width, shown, grid, points);
+            });
+        }
+        return filled;
     }
-    const Point edge = calibration.at(code + step, column, place);
-    const float share = std::fmin(to_border / std::fabs(width), 1.0f);
-    points.set(next, between(points[last], edge, share));
-    grid.y[next] = share < 1 ? border.end() : place;
-    grid.contrast[next] = 0;
-    grid.cell[next] = Cell::filled;
-    Extent& extent = grid.extent[code + step];
-    extent.first = std::min(extent.first, column);
-    extent.end = std::max(extent.end, column + 1);
-    return true;
-}
+
+private:
+    static constexpr float kFar = 1e9f;
+    static constexpr float kLeast = 1;  // px: triangles lower than this would point anywhere
+
+    /// Calls visit(column) for the flags that are set; a group of them is readable beyond `end`.
+    template <typename Visit>
+    static void forEachFlag(const std::vector<std::uint8_t>& flags, int first, int end,
+                            Visit visit) {
+        for (int x = first; x < end; ++x) {
+            x += ByteGroup(flags.data() + x).matches(1).lead();
+            if (x < end && flags[x]) visit(x);
+        }
+    }
+
+    /// Notes how far the next edge lies from the last of a column, and how far it is seen, px.
+    void lookAhead(int code, int column, const VertexGrid& grid, BorderScratch& scratch) const {
+        const float expected = float(outward_) * nextWidth(grid, code, column);
+        const StripeEnd end = findStripeEnd(grid, code, column, kWidest * expected);
+        // The rows leave the edge the gap between two pixels' middles.
+        const float least = end.width - kHalfPixel;
+        const float most = end.width + kHalfPixel;
+        scratch.width[column] =
+            end.at_edge ? std::fmin(std::fmax(expected, least), most) : expected;
+        scratch.shown[column] = end.at_edge ? kFar : end.width;
+    }
+
+    /// The mean over the columns around: a pixel's row is a coarse place, and one column noisy.
+    float smoothedWidth(int code, int column, int first, int end, const VertexGrid& grid,
+                        const BorderScratch& scratch) const {
+        constexpr int kReach = 4;
+        const float own = scratch.width[column];
+        float sum = 0;
+        int count = 0;
+        for (int x = std::max(column - kReach, first); x <= std::min(column + kReach, end - 1);
+             ++x) {
+            float width = scratch.width[x];
+            if (!scratch.last[x]) {
+                const std::size_t here = grid.index(code, x);
+                const std::size_t next = grid.index(code + step_, x);
+                if (grid.cell[here] != Cell::measured || grid.cell[next] != Cell::measured) {
+                    continue;
+                }
+                width = float(outward_) * (grid.y[next] - grid.y[here]);
+            }
+            if (std::fabs(width - own) > max_step_) continue;
+            sum += width;
+            ++count;
+        }
+        return count > 0 ? sum / float(count) : own;
+    }
+
+    /// Where the pixels beyond an edge stop to show its stripe.
+    struct StripeEnd {
+        float width;   ///< from the edge, px
+        bool at_edge;  ///< the next stripe follows: the same surface goes on
+    };
+
+    /// Fills the cell after a column's last edge.
+    bool carryOn(int code, int column, float width, float shown, VertexGrid& grid,
+                 PointPlanes& points) const {
+        if (!(shown > kLeast)) return false;
+        const std::size_t last = grid.index(code, column);
+        const std::size_t next = grid.index(code + step_, column);
+        const float place = grid.y[last] + float(outward_) * shown;
+        if (!runsOn(grid, code + step_, column, place)) return false;
+        const Point edge =
+            seen_.calibration.at(code + step_, column, grid.y[last] + float(outward_) * width);
+        points.set(next, between(points[last], edge, shown / width));
+        grid.y[next] = place;
+        grid.contrast[next] = 0;
+        grid.cell[next] = Cell::filled;
+        Extent& extent = grid.extent[code + step_];
+        extent.first = std::min(extent.first, column);
+        extent.end = std::max(extent.end, column + 1);
+        cutOff(code + step_, column, width, grid);
+        return true;
+    }
+
+    /// How far the next edge lies from the last of a column, px: the stripes go on widening, at
+    /// half the rate at which they did, since two differences of places carry more noise than one.
+    float nextWidth(const VertexGrid& grid, int code, int column) const {
+        const float* y = grid.y.data();
+        const std::size_t before = grid.index(code - step_, column);
+        const float width = y[grid.index(code, column)] - y[before];
+        const int third = code - 2 * step_;
+        if (third < 1 || third >= grid.codes) return width;
+        const std::size_t i = grid.index(third, column);
+        if (grid.cell[i] != Cell::measured) return width;
+        const float next = width + 0.5f * (width - (y[before] - y[i]));
+        const float ratio = next / width;
+        return ratio > 1 / kWidest && ratio < kWidest ? next : width;
+    }
+
+    /// Looks from an edge outward, no farther than `width`.
+    StripeEnd findStripeEnd(const VertexGrid& grid, int code, int column, float width) const {
+        const float y = grid.y[grid.index(code, column)];
+        const int own = step_ > 0 ? code : code - 1;
+        int row = outward_ > 0 ? int(std::floor(y)) + 1 : int(std::ceil(y)) - 1;
+        const bool still = still_[pairOfEdge(code + step_, seen_.bits)];
+        const auto beyond = [&](float r) { return float(outward_) * (r - y); };
+        for (; beyond(float(row)) - kHalfPixel < width; row += outward_) {
+            if (row < 0 || row >= seen_.planes.height)
+                return {beyond(float(row)) - kHalfPixel, false};
+            const std::size_t i = seen_.planes.index(column, row);
+            if (seen_.planes.modulation[i] < least_modulation_) break;
+            const int stripe = seen_.planes.stripe[i];
+            if (stripe == own + step_ && still) return {beyond(float(row)) - kHalfPixel, true};
+            // Where the face moved, the pixels show the stripes as they lay at other moments.
+            if (std::abs(stripe - own) > 1) break;
+        }
+        // Half of the last pixel may show what lies behind.
+        return {beyond(float(row)) - 2 * kHalfPixel, false};
+    }
+
+    /// Whether a row runs on through a cell at this place.
+    bool runsOn(const VertexGrid& grid, int code, int column, float place) const {
+        for (const int x : {std::max(column - 1, 0), std::min(column + 1, grid.columns - 1)}) {
+            const std::size_t beside = grid.index(code, x);
+            if (grid.cell[beside] == Cell::measured &&
+                std::fabs(grid.y[beside] - place) > max_step_) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Cuts what is carried on from what lies beyond, unless that is as near as the next stripe.
+    void cutOff(int code, int column, float width, VertexGrid& grid) const {
+        constexpr float kLeastWidth = 1;  // px
+        constexpr float kMostWidths = 1.5f;
+        const int beyond = code + step_;
+        if (beyond < 1 || beyond >= grid.codes) return;
+        const float place = grid.y[grid.index(code, column)];
+        const auto isApart = [&](int x) {
+            const std::size_t i = grid.index(beyond, x);
+            const float distance = float(outward_) * (grid.y[i] - place);
+            const bool near = distance >= kLeastWidth && distance <= kMostWidths * width;
+            return grid.cell[i] != Cell::empty && !near;
+        };
+        const bool here = isApart(column);
+        const auto quad = std::uint32_t(grid.index(std::min(code, beyond), column));
+        if (column > 0 && (here || isApart(column - 1))) grid.gaps.push_back(quad - 1);
+        if (column + 1 < grid.columns && (here || isApart(column + 1))) grid.gaps.push_back(quad);
+    }
+
+    const SeenStripes& seen_;
+    std::array<bool, kMaxBits> still_{};  ///< whether the pair's edges are where they were seen
+    int least_modulation_;
+    float max_step_;
+    int step_;
+    int outward_;  ///< the direction of y
+};
 
 }  // namespace
 
-int carryToBorder(const GridCalibration& calibration, const PixelPlanes& planes, bool rising,
+int carryToBorder(const Options& options, const SeenStripes& seen, BorderScratch& scratch,
                   VertexGrid& grid, PointPlanes& points) {
-    const int sign = rising ? 1 : -1;
     int filled = 0;
-    for (const Border& border : {Border{0, -1, -sign}, Border{planes.height - 1, 1, sign}}) {
-        for (int column = 0; column < grid.columns; ++column) {
-            // A moving face shows the stripe in frames of other moments, a stripe off.
-            const int code = lastCode(planes, border, column);
-            for (const int candidate : {code - 1, code, code + 1}) {
-                filled += carryOn(calibration, border, candidate, column, grid, points);
-            }
-        }
+    for (const int step : {-1, 1}) {
+        filled += SurfaceCarrier(options, seen, step).carry(scratch, grid, points);
     }
     return filled;
 }

@@ -99,7 +99,10 @@ void IncrementalReconstruction::finish(Reconstruction& result, StageObserver* ob
         report.holes_found = holes.found;
         report.holes_filled = holes.filled;
         calibrateFilledCells(work.calibration, work.grid, work.points);
-        carryToBorder(work.calibration, planes, decoded.rising, work.grid, work.points);
+        carryToBorder(
+            options,
+            {work.calibration, planes, findings.image_motions, images.bits, decoded.rising},
+            work.border, work.grid, work.points);
         rejectOutOfRange(scan.calibration, work.points, work.row_flags, work.grid);
     }
     finished(Stage::fill);

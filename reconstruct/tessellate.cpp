@@ -228,6 +228,7 @@ void tessellate(const Options& options, const VertexGrid& grid, const PointPlane
                 bool rising, TessellateScratch& scratch, Quads& quads) {
     const float mean_longest = cutAll(grid, points, rising, scratch, quads);
     dropLongTriangles(grid, float(options.max_edge_ratio) * mean_longest, scratch, quads);
+    for (const std::uint32_t i : grid.gaps) quads.first[i] = quads.second[i] = 0;
     FanFilter(grid, quads).dropLooseFans(scratch);
 }
 

@@ -38,6 +38,9 @@ struct VertexGrid {
     std::vector<float> drift_gain;  ///< how far the edge moves along y for a relative change of the
                                     ///< brightness from pattern to complement, px
 
+    /// Quads that no surface spans although their corners are there, by their first cell.
+    std::vector<std::uint32_t> gaps;
+
     std::vector<float> scratch;  ///< of the size of `y` where a stage needs the old and the new
 
     std::size_t index(int code, int column) const { return std::size_t(code) * columns + column; }
@@ -53,6 +56,7 @@ struct VertexGrid {
         columns = column_count;
         extent.assign(codes, {columns, 0});
         cell.assign(size() + kBeyond, Cell::empty);
+        gaps.clear();
         for (std::vector<float>* plane :
              {&y, &contrast, &gradient_x, &gradient_y, &drift_gain, &scratch}) {
             plane->resize(size() + kBeyond);

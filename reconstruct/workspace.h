@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reconstruct/border.h"
 #include "reconstruct/calibrate.h"
 #include "reconstruct/decode.h"
 #include "reconstruct/fill.h"
@@ -36,6 +37,7 @@ struct Workspace {
     FilterScratch filter;
     SmoothScratch smooth;
     FillScratch fill;
+    BorderScratch border;
     TessellateScratch tessellate;
     Quads quads;
     NormalScratch normal;

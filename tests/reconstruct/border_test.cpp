@@ -6,6 +6,7 @@
 
 #include "reconstruct/grids.h"
 #include "reconstruct/pinhole_scanner.h"
+#include "reconstruct/tessellate.h"
 
 namespace facescan {
 namespace {
@@ -25,6 +26,7 @@ struct Seen {
     PixelPlanes planes;
     VertexGrid grid;
     PointPlanes points;
+    std::array<ImageMotion, kMaxBits> motions{};
 
     Seen(bool rising, double slope_y) : slope(slope_y) {
         scanner.rising = rising;
@@ -34,6 +36,7 @@ struct Seen {
         planes.width = scanner.width;
         planes.height = scanner.height;
         planes.stripe.resize(std::size_t(planes.width) * planes.height);
+        planes.modulation.assign(planes.stripe.size(), 100);
         for (int y = 0; y < planes.height; ++y) {
             for (int x = 0; x < planes.width; ++x) {
                 const auto stripe = std::uint32_t(std::floor(codeAt(x, y)));
@@ -64,7 +67,18 @@ struct Seen {
         return (p.z - 400 - 0.1 * p.x - slope * p.y) / std::sqrt(1 + 0.01 + slope * slope);
     }
 
-    int carry() { return carryToBorder(calibration, planes, scanner.rising, grid, points); }
+    /// The pixels from the row `first` to `last` are not lit.
+    void darken(int first, int last) {
+        for (int y = first; y <= last; ++y) {
+            for (int x = 0; x < planes.width; ++x) planes.modulation[planes.index(x, y)] = 0;
+        }
+    }
+
+    int carry() {
+        BorderScratch scratch;
+        const SeenStripes seen{calibration, planes, motions, scanner.bits, scanner.rising};
+        return carryToBorder({}, seen, scratch, grid, points);
+    }
 
     /// The least and the greatest place of a column.
     std::pair<float, float> reach(int column) const {
@@ -89,9 +103,9 @@ TEST(Border, IsReachedByASurfaceThatRunsBeyondIt) {
             for (int column = 0; column < seen.grid.columns; ++column) {
                 const auto [low, high] = seen.reach(column);
                 ASSERT_LE(low, 0.5f);
-                ASSERT_GE(low, -0.5f);
+                ASSERT_GE(low, -0.501f);
                 ASSERT_GE(high, float(seen.planes.height) - 1.5f);
-                ASSERT_LE(high, float(seen.planes.height) - 0.5f);
+                ASSERT_LE(high, float(seen.planes.height) - 0.499f);
             }
             for (std::size_t i = 0; i < before.size(); ++i) {
                 if (before.cell[i] != Cell::empty) {
@@ -109,9 +123,102 @@ TEST(Border, IsReachedByASurfaceThatRunsBeyondIt) {
 TEST(Border, IsNotReachedFromASurfaceThatEndsBeforeIt) {
     Seen seen(true, 0);
     const int middle = 128;
-    cutHole(middle + 10, 0, 256 - middle - 10, seen.grid.columns, seen.grid);
-    cutHole(1, 0, middle - 10, seen.grid.columns, seen.grid);
-    EXPECT_EQ(seen.carry(), 0);
+    const int columns = seen.grid.columns;
+    const int low = int(seen.grid.y[seen.grid.index(middle - 10, 0)]);
+    const int high = int(seen.grid.y[seen.grid.index(middle + 10, 0)]);
+    seen.darken(0, low);
+    seen.darken(high, seen.planes.height - 1);
+    cutHole(middle + 9, 0, 256 - middle - 9, columns, seen.grid);
+    cutHole(1, 0, middle - 9, columns, seen.grid);
+    seen.carry();
+    for (int column = 0; column < columns; ++column) {
+        const auto [least, greatest] = seen.reach(column);
+        ASSERT_GE(least, float(low));
+        ASSERT_LE(greatest, float(high));
+    }
+}
+
+TEST(Border, LiesWhereTheLightEnds) {
+    for (const bool rising : {true, false}) {
+        Seen seen(rising, 0.2);
+        const int middle = seen.planes.height / 2;
+        seen.darken(middle, seen.planes.height - 1);
+        VertexGrid& grid = seen.grid;
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+            if (grid.y[i] > float(middle) - 0.5f) grid.cell[i] = Cell::empty;
+        }
+        EXPECT_GT(seen.carry(), grid.columns);
+        for (int column = 0; column < grid.columns; ++column) {
+            const float greatest = seen.reach(column).second;
+            ASSERT_GE(greatest, float(middle) - 2.5f);
+            ASSERT_LE(greatest, float(middle) - 0.5f);
+        }
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+            if (grid.cell[i] != Cell::filled) continue;
+            ASSERT_NEAR(seen.distance(seen.points[i]), 0, 0.03);
+        }
+    }
+}
+
+/// A stripe is seen to be a quarter wider than the last, but its edge was not measured.
+TEST(Border, LiesWhereTheNextEdgeShowsOnAStillFace) {
+    constexpr int kLast = 128;
+    const auto widen = [](Seen& seen) {
+        VertexGrid& grid = seen.grid;
+        cutHole(kLast + 1, 0, 256 - kLast - 1, grid.columns, grid);
+        for (int x = 0; x < grid.columns; ++x) {
+            const float y = grid.y[grid.index(kLast, x)];
+            const float width = y - grid.y[grid.index(kLast - 1, x)];
+            for (int row = int(std::ceil(y)); float(row) < y + 1.25f * width; ++row) {
+                seen.planes.stripe[seen.planes.index(x, row)] = kLast;
+            }
+            for (int row = int(std::ceil(y + 1.25f * width)); row < seen.planes.height; ++row) {
+                seen.planes.stripe[seen.planes.index(x, row)] = kLast + 1;
+            }
+        }
+    };
+    const auto carriedWidth = [](Seen& seen) {
+        seen.carry();
+        double widths = 0;
+        double stripes = 0;
+        for (int column = 0; column < seen.grid.columns; ++column) {
+            const auto y = [&](int code) { return seen.grid.y[seen.grid.index(code, column)]; };
+            widths += y(kLast + 1) - y(kLast);
+            stripes += y(kLast) - y(kLast - 1);
+        }
+        // As a share of the stripe's width, and half a pixel in the same measure.
+        return std::pair(widths / stripes, 0.5 * seen.grid.columns / stripes);
+    };
+    Seen still(true, 0);
+    widen(still);
+    const auto [seen_width, half_pixel] = carriedWidth(still);
+    EXPECT_NEAR(seen_width, 1.25, 1.25 * half_pixel);
+    Seen moved(true, 0);
+    widen(moved);
+    moved.motions.fill({.column = 0, .y = 1, .turn = 0, .scale = 0});
+    EXPECT_NEAR(carriedWidth(moved).first, 1, 0.02);
+}
+
+TEST(Border, IsJoinedToTheNextStripeAlone) {
+    constexpr int kLast = 128;
+    // A surface that reaches before this one, this one itself, and one far away.
+    for (const float away : {-20.0f, 0.0f, 60.0f}) {
+        Seen seen(true, 0);
+        VertexGrid& grid = seen.grid;
+        cutHole(kLast + 1, 0, 1, grid.columns, grid);
+        for (std::size_t i = grid.index(kLast + 2, 0); i < grid.size(); ++i) grid.y[i] += away;
+        seen.carry();
+        TessellateScratch scratch;
+        Quads quads;
+        tessellate({}, grid, seen.points, true, scratch, quads);
+        for (int column = 0; column + 1 < grid.columns; ++column) {
+            const std::size_t i = grid.index(kLast + 1, column);
+            ASSERT_EQ(grid.cell[i], Cell::filled);
+            ASSERT_TRUE(quads.first[grid.index(kLast, column)]);
+            ASSERT_EQ(quads.first[i] != 0, away == 0) << away;
+            ASSERT_EQ(quads.second[i] != 0, away == 0) << away;
+        }
+    }
 }
 
 TEST(Border, IsNotReachedWhereItsPixelsShowAnotherStripe) {
