@@ -2,13 +2,16 @@
 
 namespace facescan {
 
-void FrameIntake::begin(const FrameStackView& frames, const ScanDescription& scan) {
+void FrameIntake::begin(const FrameStackView& frames, const ScanDescription& scan,
+                        bool with_halves) {
     frames_ = frames;
     scan_ = &scan;
+    with_halves_ = with_halves;
     taken_ = 0;
+    pairs_ = 0;
     images_ = stripeImages(frames, scan, turned_);
     beginPixelPlanes(images_, planes_);
-    beginHalfImages(images_, halves_);
+    if (with_halves) beginHalfImages(images_, halves_);
 }
 
 void FrameIntake::take(int index) {
@@ -17,13 +20,22 @@ void FrameIntake::take(int index) {
     taken_ |= 1u << index;
     // Each pair brings the next bit of the codewords: they are added in their order.
     const Pattern& pattern = scan_->pattern;
-    int complete = planes_.pairs;
+    int complete = pairs_;
     while (complete < pattern.bits && taken(pattern.frameIndex(complete, false)) &&
            taken(pattern.frameIndex(complete, true))) {
         ++complete;
     }
-    addPairs(images_, complete, planes_);
-    addPairs(images_, complete, halves_);
+    addPairs(complete);
+}
+
+void FrameIntake::addPairs(int end) {
+    if (pairs_ >= end) return;
+    for (int y = 0; y < images_.height; ++y) {
+        facescan::addPairs(images_, pairs_, end, y, planes_);
+        if (!with_halves_ || y % 2 == 0) continue;
+        for (int pair = pairs_; pair < end; ++pair) addRow(images_, pair, y / 2, halves_);
+    }
+    pairs_ = end;
 }
 
 void FrameIntake::turnRest() {

@@ -14,9 +14,10 @@ namespace facescan {
 /// moment in which frames are taken, the result is the same.
 class FrameIntake {
 public:
-    /// Begins a scan. The frames' pixels are not read before take(); both are read until the scan
-    /// is done.
-    void begin(const FrameStackView& frames, const ScanDescription& scan);
+    /// Begins a scan. The frames' pixels are not read before take(); both are read until the scan is
+    /// done.
+    /// @param with_halves  whether the half images are wanted
+    void begin(const FrameStackView& frames, const ScanDescription& scan, bool with_halves);
 
     /// A frame is there: does the work for which nothing more is needed.
     /// @param index  among the pattern frames, 0 … scan.pattern.frameCount() − 1
@@ -25,9 +26,8 @@ public:
     /// All frames are there: turns those that have not been taken.
     void turnRest();
 
-    /// What only needs all frames: for the pairs that were not complete before.
-    void completePlanes() { addPairs(images_, images_.bits, planes_); }
-    void completeHalves() { addPairs(images_, images_.bits, halves_); }
+    /// Completes the planes and the half images.
+    void addRest() { addPairs(images_.bits); }
 
     const StripeImages& images() const { return images_; }
     const PixelPlanes& planes() const { return planes_; }
@@ -35,10 +35,14 @@ public:
 
 private:
     bool taken(int index) const { return taken_ >> index & 1; }
+    /// Adds the pairs up to end − 1 that have not been added, all of them in one pass.
+    void addPairs(int end);
 
     FrameStackView frames_;
     const ScanDescription* scan_ = nullptr;
+    bool with_halves_ = false;
     std::uint32_t taken_ = 0;  ///< a bit for each frame
+    int pairs_ = 0;            ///< that have been added
     StripeImages images_;
     std::vector<std::uint8_t> turned_;
     PixelPlanes planes_;

@@ -9,6 +9,8 @@
 namespace facescan {
 namespace {
 
+constexpr int kBlurredRows = 3;  // that one of a half image's rows is made of
+
 /// One of the half images.
 struct HalfImage {
     HalfImage(const HalfImages& halves, int pair)
@@ -195,36 +197,29 @@ private:
 }  // namespace
 
 void beginHalfImages(const StripeImages& images, HalfImages& halves) {
-    constexpr int kRows = 3;
     halves.width = images.width / 2;
     halves.height = images.height / 2;
-    halves.pairs = 0;
-    halves.pixels.resize(std::size_t(halves.width) * halves.height * images.bits);
-    halves.scratch.resize(std::size_t(halves.width) * kRows);
+    halves.pairs = images.bits;
+    halves.pixels.resize(std::size_t(halves.width) * halves.height * halves.pairs);
+    halves.scratch.resize(std::size_t(halves.width) * kBlurredRows * halves.pairs);
 }
 
-void addPairs(const StripeImages& images, int end, HalfImages& halves) {
-    const int height = halves.height;
-    // Three halved rows at a time.
-    const auto halved = [&](int y) {
-        return halves.scratch.data() + std::size_t(std::clamp(y, 0, height - 1) % 3) * halves.width;
+void addRow(const StripeImages& images, int pair, int y, HalfImages& halves) {
+    const int last = halves.height - 1;
+    const auto halved = [&](int row) {
+        const int slot = kBlurredRows * pair + std::clamp(row, 0, last) % kBlurredRows;
+        return halves.scratch.data() + std::size_t(slot) * halves.width;
     };
-    for (; halves.pairs < end; ++halves.pairs) {
-        const int pair = halves.pairs;
-        const auto halve = [&](int y) {
-            kernels().halveRows(
-                {images.patternRow(pair, 2 * y), images.patternRow(pair, 2 * y + 1),
-                 images.complementRow(pair, 2 * y), images.complementRow(pair, 2 * y + 1)},
-                halves.width, halved(y));
-        };
-        halve(0);
-        for (int y = 0; y < height; ++y) {
-            if (y + 1 < height) halve(y + 1);
-            std::uint16_t* out =
-                halves.pixels.data() + (std::size_t(pair) * height + y) * halves.width;
-            kernels().blurRows({halved(y - 1), halved(y), halved(y + 1)}, halves.width, out);
-        }
-    }
+    const auto blur = [&](int row) {
+        kernels().blurRows(
+            {halved(row - 1), halved(row), halved(row + 1)}, halves.width,
+            halves.pixels.data() + (std::size_t(pair) * halves.height + row) * halves.width);
+    };
+    kernels().halveRows({images.patternRow(pair, 2 * y), images.patternRow(pair, 2 * y + 1),
+                         images.complementRow(pair, 2 * y), images.complementRow(pair, 2 * y + 1)},
+                        halves.width, halved(y));
+    if (y > 0) blur(y - 1);
+    if (y == last) blur(y);
 }
 
 std::array<ImageMotion, kMaxBits> estimateImageMotion(const HalfImages& halves,

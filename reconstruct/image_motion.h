@@ -29,20 +29,21 @@ struct ImagePoint {
 struct HalfImages {
     int width = 0;
     int height = 0;
-    int pairs = 0;  ///< that have been added
-    std::vector<std::uint16_t> pixels;
-    std::vector<std::uint16_t> scratch;
+    int pairs = 0;
+    std::vector<std::uint16_t> pixels;   ///< pair after pair
+    std::vector<std::uint16_t> scratch;  ///< the last three rows of each pair before the blur
 
     const std::uint16_t* row(int pair, int y) const {
         return pixels.data() + (std::size_t(pair) * height + y) * width;
     }
 };
 
-/// Half images to which no pair has been added.
+/// Lays out half images that hold nothing yet.
 void beginHalfImages(const StripeImages& images, HalfImages& halves);
 
-/// Adds the pairs up to end − 1 that are not there yet.
-void addPairs(const StripeImages& images, int end, HalfImages& halves);
+/// Adds the row y of a pair's half image. Rows come in their order; with the last one the image is
+/// complete.
+void addRow(const StripeImages& images, int pair, int y, HalfImages& halves);
 
 /// Scratch memory of estimateImageMotion.
 struct ImageMotionScratch {

@@ -24,24 +24,19 @@ void beginPixelPlanes(const StripeImages& images, PixelPlanes& planes) {
     planes.low.resize(pixels);
     planes.modulation.resize(pixels);
     planes.saturated = 0;
-    planes.pairs = 0;
 }
 
-void addPairs(const StripeImages& images, int end, PixelPlanes& planes) {
-    if (planes.pairs >= end) return;
+void addPairs(const StripeImages& images, int first, int end, int y, PixelPlanes& planes) {
     const Kernels& kernel = kernels();
-    PairRows pairs{.count = end - planes.pairs};
-    for (int y = 0; y < images.height; ++y) {
-        const PixelRow row = rowOf(planes, y);
-        for (int n = 0; n < pairs.count; ++n) {
-            pairs.pattern[n] = images.patternRow(planes.pairs + n, y);
-            pairs.complement[n] = images.complementRow(planes.pairs + n, y);
-        }
-        if (planes.pairs == 0) kernel.startRow(images.width, row);
-        kernel.addPairs(pairs, images.width, row);
-        if (end == images.bits) planes.saturated += kernel.finishRow(images.width, row);
+    const PixelRow row = rowOf(planes, y);
+    PairRows pairs{.count = end - first};
+    for (int n = 0; n < pairs.count; ++n) {
+        pairs.pattern[n] = images.patternRow(first + n, y);
+        pairs.complement[n] = images.complementRow(first + n, y);
     }
-    planes.pairs = end;
+    if (first == 0) kernel.startRow(images.width, row);
+    kernel.addPairs(pairs, images.width, row);
+    if (end == images.bits) planes.saturated += kernel.finishRow(images.width, row);
 }
 
 }  // namespace facescan

@@ -18,7 +18,7 @@ IncrementalReconstruction::IncrementalReconstruction(const FrameStackView& frame
                                                      const ScanDescription& scan,
                                                      const Options& options, Workspace& workspace)
     : frames_(frames), scan_(scan), options_(options), work_(workspace) {
-    work_.intake.begin(frames, scan);
+    work_.intake.begin(frames, scan, options.compensate_motion);
     work_.calibration.prepare(scan, work_.intake.images().width, options.recover_device);
 }
 
@@ -43,7 +43,7 @@ void IncrementalReconstruction::finish(Reconstruction& result, StageObserver* ob
     const StripeImages& images = work.intake.images();
     finished(Stage::preprocess);
 
-    work.intake.completePlanes();
+    work.intake.addRest();
     const PixelPlanes& planes = work.intake.planes();
     const DecodeCounts decoded = decodeEdges(images, planes, work.calibration.placesInRange(),
                                              options, work.decode, work.grid);
@@ -71,7 +71,6 @@ void IncrementalReconstruction::finish(Reconstruction& result, StageObserver* ob
         findReferencePlanes(work.calibration, work.grid, work.points, work.reference_planes);
         const MeasuredSurface surface{work.calibration, work.grid, work.points,
                                       work.reference_planes};
-        work.intake.completeHalves();
         findings.image_motions =
             estimateImageMotion(work.intake.halves(), work.grid, middle.place, work.image_motion);
         findings.motion = estimateSurfaceMotion(surface, work.calibration, images.bits, middle,

@@ -80,7 +80,9 @@ Motions estimate(const FrameStack& frames, const VertexGrid& grid) {
     ImageMotionScratch scratch;
     HalfImages halves;
     beginHalfImages(images, halves);
-    addPairs(images, images.bits, halves);
+    for (int pair = 0; pair < images.bits; ++pair) {
+        for (int y = 0; y < images.height / 2; ++y) addRow(images, pair, y, halves);
+    }
     return estimateImageMotion(halves, grid, kMiddle, scratch);
 }
 

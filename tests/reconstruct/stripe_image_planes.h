@@ -18,7 +18,7 @@ inline StripeImages allStripeImages(const FrameStackView& frames, const ScanDesc
 /// The planes of all pairs at once.
 inline void fillPlanes(const StripeImages& images, PixelPlanes& planes) {
     beginPixelPlanes(images, planes);
-    addPairs(images, images.bits, planes);
+    for (int y = 0; y < images.height; ++y) addPairs(images, 0, images.bits, y, planes);
 }
 
 }  // namespace facescan::test
