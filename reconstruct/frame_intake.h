@@ -14,8 +14,8 @@ namespace facescan {
 /// moment in which frames are taken, the result is the same.
 class FrameIntake {
 public:
-    /// Begins a scan. The frames' pixels are not read before take(); both are read until the scan is
-    /// done.
+    /// Begins a scan. The frames' pixels are not read before take(); both are read until the scan
+    /// is done.
     /// @param with_halves  whether the half images are wanted
     void begin(const FrameStackView& frames, const ScanDescription& scan, bool with_halves);
 
