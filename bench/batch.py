@@ -19,7 +19,7 @@ SINGLES = 5
 GOAL_SCANS_PER_S = 200    # on two cores
 GOAL_PEAK_MIB = 48        # of a single replay
 
-Run = namedtuple('Run', 'scans threads wall_s cpu_s peak_mib')
+Run = namedtuple('Run', 'scans threads wall_s user_s system_s peak_mib')
 
 
 def measure(scans, threads, command, lines=()):
@@ -34,17 +34,17 @@ def measure(scans, threads, command, lines=()):
     child.returncode = os.waitstatus_to_exitcode(status)
     if child.returncode != 0:
         raise subprocess.CalledProcessError(child.returncode, command)
-    return Run(scans, threads, wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
+    return Run(scans, threads, wall, usage.ru_utime, usage.ru_stime, usage.ru_maxrss / 1024)
 
 
 def single(program):
-    """One scan by a process of its own: medians of some times, and the largest peak."""
+    """One scan by a process of its own: the one of median processor time, and the largest peak."""
     def replay(folder):
         return measure(1, 1, [program, 'replay', BUNDLE, '--no-preview', '-o',
                               os.path.join(folder, 'out')])
     with tempfile.TemporaryDirectory(prefix='facescan-bench-') as folder:
         runs = [replay(folder) for _ in range(SINGLES)]
-    middle = sorted(runs, key=lambda run: run.cpu_s)[SINGLES // 2]
+    middle = sorted(runs, key=lambda run: run.user_s + run.system_s)[SINGLES // 2]
     return middle._replace(peak_mib=max(run.peak_mib for run in runs))
 
 
@@ -62,9 +62,10 @@ def batch(program, scans, threads):
 def text(alone, batches):
     def row(name, run):
         return (name, str(run.threads), f'{run.scans / run.wall_s:.1f}',
-                f'{run.cpu_s / run.scans * 1e3:.2f}', f'{run.peak_mib:.1f}')
-    rows = [('replay', 'threads', 'scans/s', 'CPU ms/scan', 'peak MiB'), row('single', alone),
-            *(row(f'{run.scans} scans', run) for run in batches)]
+                f'{run.user_s / run.scans * 1e3:.2f}', f'{run.system_s / run.scans * 1e3:.2f}',
+                f'{run.peak_mib:.1f}')
+    rows = [('replay', 'threads', 'scans/s', 'user ms/scan', 'system ms/scan', 'peak MiB'),
+            row('single', alone), *(row(f'{run.scans} scans', run) for run in batches)]
     return '\n'.join([*table.aligned(rows), '',
                       f'goals: {GOAL_SCANS_PER_S} scans/s on two cores; '
                       f'a peak of {GOAL_PEAK_MIB} MiB for a single scan'])
@@ -78,7 +79,7 @@ def measure_all(program, scans):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('scans', type=int, nargs='?', default=100)
+    parser.add_argument('scans', type=int, nargs='?', default=200)
     arguments = parser.parse_args()
     try:
         alone, batches = measure_all(os.path.join(ROOT, 'build', 'release', 'bin', 'facescan'),
