@@ -1,13 +1,16 @@
 """What Google Benchmark measured, as its JSON tells it."""
 import json
+import re
 import statistics
 from collections import namedtuple
 
 # seconds: processor time of one iteration (wall time where the benchmark asks for it).
 # stages: seconds by name, in their order and `total` last; empty where the benchmark has none.
-Result = namedtuple('Result', 'name seconds bytes pixels frames stages')
+# items: of a kernel's call; 0 elsewhere.
+Result = namedtuple('Result', 'name seconds bytes pixels frames stages items')
 
 STAGE = 'stage:'  # stage:<two digits>:<name>
+SETTINGS = re.compile('/(real_time$|min_time:.*)')  # as the library adds them to names
 UNITS = {'ns': 1e-9, 'us': 1e-6, 'ms': 1e-3, 's': 1.0}
 
 
@@ -24,8 +27,9 @@ def result(name, runs):
     first = runs[0]
     stages = {key.split(':')[2]: median(runs, lambda run, key=key: run[key])
               for key in sorted(first) if key.startswith(STAGE)}
-    return Result(name.removesuffix('/real_time'), median(runs, seconds), first.get('bytes', 0),
-                  first.get('pixels', 0), first.get('frames', 0), stages)
+    return Result(SETTINGS.sub('', name), median(runs, seconds), first.get('bytes', 0),
+                  first.get('pixels', 0), first.get('frames', 0), stages,
+                  first.get('items', 0))
 
 
 def load(path):

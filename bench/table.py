@@ -1,8 +1,10 @@
 """The results as one table, beside what it takes to read the same bytes once."""
+import kernel_table
 import results as measured
 
 COLUMNS = ('', 'ms', 'GB/s', 'ns/px', 'ns/px/frame', 'x reading')
 OURS, PEER = 'reconstruct/face', 'opencv/face'
+GOAL_GROWTH = 1.3
 
 
 def rate(results, name):
@@ -25,6 +27,8 @@ def row(name, seconds, work, memory_rate, cache_rate):
 def rows(results):
     rates = rate(results, 'bandwidth/memory'), rate(results, 'bandwidth/cache')
     for each in results.values():
+        if kernel_table.is_kernel(each.name):
+            continue
         yield row(each.name, each.seconds, each, *rates)
         for stage, seconds in each.stages.items():
             if stage != 'total':
@@ -60,5 +64,9 @@ def table(results):
     growth = measured.growth(results)
     if growth:
         lines += ['', f'growth: reconstruct/large takes {growth:.2f} times as long as '
-                      'reconstruct/small for a pixel and frame']
+                      f'reconstruct/small for a pixel and frame (goal: at most {GOAL_GROWTH})']
+    kernels = list(kernel_table.lines(results, rate(results, 'bandwidth/cache')))
+    if kernels:
+        lines += ['', *aligned(kernels), '', 'bytes: of an item; GB/s: of the fastest form; '
+                  'x cache: times as long as it reads these bytes from its cache']
     return '\n'.join(lines + comparison(results))

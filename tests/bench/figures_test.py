@@ -2,6 +2,7 @@
 import json
 import os
 import re
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -10,6 +11,7 @@ from xml.etree import ElementTree
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, 'bench'))
 
+import batch
 import history
 import plot
 import results as measured
@@ -17,6 +19,8 @@ import run
 import table
 
 PROGRAM = os.path.join(os.environ['SCANEVAL_BIN'], 'benchmarks')
+FACESCAN = os.path.join(os.environ['SCANEVAL_BIN'], 'facescan')
+KERNELS = os.path.join(ROOT, 'reconstruct', 'kernels', 'kernels.h')
 
 
 def repetition(name, cpu_ms, **more):
@@ -84,6 +88,14 @@ class Table(Case):
         rows = self.rows(repetition('bandwidth/cache', 1), repetition('a', 0.5))
         self.assertEqual(rows['a'], ['0.500', '1.000', '0.062'])
 
+    def test_has_a_line_a_kernel_with_its_forms_side_by_side(self):
+        kernel = {'items': 1e6, 'pixels': 0, 'frames': 0}
+        rows = self.rows(repetition('bandwidth/cache', 1),
+                         repetition('kernel/fill/plain/min_time:0.010', 4, **kernel),
+                         repetition('kernel/fill/neon/min_time:0.010', 2, **kernel))
+        self.assertEqual(rows['fill'], ['4.000', '2.000', '8', '4.0', '2.0'])
+        self.assertNotIn('kernel/fill/plain', rows)
+
     def test_compares_steps_of_the_same_name_with_opencv(self):
         stages = ('stage:10:decode', 'stage:11:total')
         rows = self.rows(repetition('reconstruct/face', 4, **dict(zip(stages, (0.001, 0.004)))),
@@ -139,6 +151,34 @@ class Run(Case):
         self.assertEqual(list(results), ['bandwidth/cache'])
         text = table.table(results)
         self.assertRegex(text, re.compile('^bandwidth/cache +[0-9.]+ ', re.MULTILINE))
+
+
+class Kernels(Case):
+    def test_all_have_a_benchmark(self):
+        names = subprocess.run([PROGRAM, '--benchmark_list_tests', '--benchmark_filter=^kernel/'],
+                               check=True, capture_output=True, text=True).stdout
+        with open(KERNELS, encoding='utf-8') as file:
+            kernels = re.findall(r'\(\*(\w+)\)\(', file.read())
+        self.assertEqual(set(re.findall('^kernel/([^/]+)/plain', names, re.MULTILINE)),
+                         set(kernels))
+
+
+class Batch(Case):
+    def test_replays_all_scans(self):
+        run = batch.batch(FACESCAN, scans=3, threads=1)
+        self.assertEqual((run.scans, run.threads), (3, 1))
+        self.assertGreater(run.user_s + run.system_s, 0)
+
+    def test_that_fails_has_no_figures(self):
+        with self.assertRaises(subprocess.CalledProcessError):
+            batch.measure(1, 1, ['false'])
+
+    def test_is_told_by_scans_a_second_and_memory(self):
+        text = batch.text(batch.Run(1, 1, 0.02, 0.01, 0.005, 40.0),
+                          [batch.Run(100, 2, 0.5, 0.8, 0.1, 75.0)])
+        rows = [line.split() for line in text.splitlines()]
+        self.assertEqual(rows[1], ['single', '1', '50.0', '10.00', '5.00', '40.0'])
+        self.assertEqual(rows[2], ['100', 'scans', '2', '200.0', '8.00', '1.00', '75.0'])
 
 
 if __name__ == '__main__':
