@@ -9,8 +9,8 @@ KernelCall referencePlanes(KernelRows& rows) {
     constexpr int kReach = 4;
     const ReferenceRows around{.above = rows.points(0, 50),
                                .below = rows.points(0, 50),
+                               .here = rows.points(0, 2),
                                .ahead = rows.points(0, 2),
-                               .behind = rows.points(0, 2),
                                .reach = kReach,
                                .least_mm_per_px = 0.15f,
                                .above_y = rows.floats(100, 102),
