@@ -34,7 +34,7 @@ void registerSubject(const KernelSubject& subject, const Form& form) {
         ->MinTime(0.01);
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
     for (const auto& subjects : {pixelKernels(), edgeKernels(), pointKernels(), motionKernels(),
                                  windowKernels(), quadKernels()}) {
         for (const KernelSubject& subject : subjects) {

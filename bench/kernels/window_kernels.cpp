@@ -49,7 +49,8 @@ KernelCall fitWindows(KernelRows& rows) {
     float* y = rows.floats(-0.1f, 0.1f, kCodes);
     float* present = rows.floats(1, 1, kCodes);
     for (std::ptrdiff_t i = 0; i < kCodes * rows.stride() - KernelRows::kMargin; ++i) {
-        y[i] += 50 + 4 * float(i / rows.stride()) + (i % 29 == 0 ? 3.0f : 0.0f);
+        const std::ptrdiff_t code = i / rows.stride();
+        y[i] += 50 + 4 * float(code) + (i % 29 == 0 ? 3.0f : 0.0f);
         if (i % 11 == 0) y[i] = present[i] = 0;
     }
     FitSpan span;
