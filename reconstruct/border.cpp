@@ -53,7 +53,8 @@ public:
         scratch.shown.resize(grid.columns);
         int filled = 0;
         for (int code = 2; code + 1 < grid.codes; ++code) {
-            const auto [first, end] = grid.extent[code];
+            const int first = grid.extent[code].first;
+            const int end = grid.extent[code].end;
             if (first >= end) continue;
             const Cell* here = grid.cell.data() + grid.index(code, first);
             const std::ptrdiff_t row = std::ptrdiff_t(step_) * grid.columns;

@@ -8,6 +8,22 @@
 #include "reconstruct/surface_motion.h"
 
 namespace facescan {
+namespace {
+
+/// Finds how the face moved, and moves every edge to where it would have been seen at the reference
+/// moment. @returns the number of cells emptied
+int moveToReferenceMoment(const SurfaceMiddle& middle, int bits, Workspace& work,
+                          StageFindings& findings) {
+    findReferencePlanes(work.calibration, work.grid, work.points, work.reference_planes);
+    const MeasuredSurface surface{work.calibration, work.grid, work.points, work.reference_planes};
+    findings.image_motions =
+        estimateImageMotion(work.intake.halves(), work.grid, middle.place, work.image_motion);
+    findings.motion = estimateSurfaceMotion(surface, work.calibration, bits, middle,
+                                            findings.image_motions, work.motion);
+    return compensateMotion(surface, findings.motion, bits, work.grid);
+}
+
+}  // namespace
 
 void reconstruct(const FrameStackView& frames, const ScanDescription& scan, const Options& options,
                  Workspace& workspace, Reconstruction& result, StageObserver* observer) {
@@ -68,15 +84,7 @@ void IncrementalReconstruction::finish(Reconstruction& result, StageObserver* ob
     finished(Stage::filter);
 
     if (options.compensate_motion) {
-        findReferencePlanes(work.calibration, work.grid, work.points, work.reference_planes);
-        const MeasuredSurface surface{work.calibration, work.grid, work.points,
-                                      work.reference_planes};
-        findings.image_motions =
-            estimateImageMotion(work.intake.halves(), work.grid, middle.place, work.image_motion);
-        findings.motion = estimateSurfaceMotion(surface, work.calibration, images.bits, middle,
-                                                findings.image_motions, work.motion);
-        report.vertices_rejected +=
-            compensateMotion(surface, findings.motion, images.bits, work.grid);
+        report.vertices_rejected += moveToReferenceMoment(middle, images.bits, work, findings);
     }
     const PairDrift drift = driftWithinPairs(scan.pattern, findings.image_motions);
     correctEdgeBias(options.lens_blur_px, drift, images.bits, work.row_flags, work.grid);
