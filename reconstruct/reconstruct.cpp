@@ -71,14 +71,13 @@ void IncrementalReconstruction::finish(Reconstruction& result, StageObserver* ob
     finished(Stage::texture);
 
     StageFindings findings;
-    report.vertices_rejected = decoded.out_of_range;
-    report.vertices_rejected += rejectFalseEdges(options, decoded.rising, work.filter, work.grid);
+    report.vertices_rejected =
+        decoded.out_of_range + rejectFalseEdges(options, decoded.rising, work.filter, work.grid);
     findings.stripe_width_px = medianStripeWidth(work.grid, work.values);
     calibrateCells(work.calibration, work.grid, work.points);
-    const int out_of_range =
-        rejectOutOfRange(scan.calibration, work.points, work.row_flags, work.grid);
-    report.vertices_rejected += out_of_range;
-    findings.out_of_range = decoded.out_of_range + out_of_range;
+    const int beyond = rejectOutOfRange(scan.calibration, work.points, work.row_flags, work.grid);
+    report.vertices_rejected += beyond;
+    findings.out_of_range = decoded.out_of_range + beyond;
     const SurfaceMiddle middle = findMiddle(work.grid, work.points);
     findings.mm_per_px = millimetresPerPixel(work.calibration, middle);
     finished(Stage::filter);
@@ -106,10 +105,9 @@ void IncrementalReconstruction::finish(Reconstruction& result, StageObserver* ob
         report.holes_found = holes.found;
         report.holes_filled = holes.filled;
         calibrateFilledCells(work.calibration, work.grid, work.points);
-        carryToBorder(
-            options,
-            {work.calibration, planes, findings.image_motions, images.bits, decoded.rising},
-            work.border, work.grid, work.points);
+        const SeenStripes seen{work.calibration, planes, findings.image_motions, images.bits,
+                               decoded.rising};
+        carryToBorder(options, seen, work.border, work.grid, work.points);
         rejectOutOfRange(scan.calibration, work.points, work.row_flags, work.grid);
     }
     finished(Stage::fill);
