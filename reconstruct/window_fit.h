@@ -40,9 +40,9 @@ struct RobustFit {
     bool consistent;  ///< whether the cell itself lies on the fitted surface
 };
 
-/// The quadratics through the measured cells around some cells, at these cells: reweighted by
-/// Tukey's biweight with a cut-off that shrinks to the request's, unweighted where nothing stands
-/// out. Where a cell is not consistent, its y is as it was.
+/// The quadratics through the measured cells around some cells, at these cells: reweighted once by
+/// Tukey's biweight, with 1.5 times the request's cut-off, unless nothing stands out. Where a cell
+/// is not consistent, its y is as it was.
 ///
 /// @param window      index into kWindows
 /// @param half_codes  at most the window's; 0 for the cell's own row alone
