@@ -60,12 +60,12 @@ public:
             const std::ptrdiff_t row = std::ptrdiff_t(step_) * grid.columns;
             markLast(here - row, here, here + row, end - first, scratch.last.data() + first);
             bool any = false;
-            forEachFlag(scratch.last, first, end, [&](int column) {
+            forEachMatch(scratch.last.data(), first, end, 1, [&](int column) {
                 any = true;
                 lookAhead(code, column, grid, scratch);
             });
             if (!any) continue;
-            forEachFlag(scratch.last, first, end, [&](int column) {
+            forEachMatch(scratch.last.data(), first, end, 1, [&](int column) {
                 if (!(scratch.shown[column] > kLeast)) return;
                 const float width = smoothedWidth(code, column, first, end, grid, scratch);
                 const float shown = std::fmin(scratch.shown[column], width);
@@ -78,16 +78,6 @@ public:
 private:
     static constexpr float kFar = 1e9f;
     static constexpr float kLeast = 1;  // px: triangles lower than this would point anywhere
-
-    /// Calls visit(column) for the flags that are set; a group of them is readable beyond `end`.
-    template <typename Visit>
-    static void forEachFlag(const std::vector<std::uint8_t>& flags, int first, int end,
-                            Visit visit) {
-        for (int x = first; x < end; ++x) {
-            x += ByteGroup(flags.data() + x).matches(1).lead();
-            if (x < end && flags[x]) visit(x);
-        }
-    }
 
     /// Notes how far the next edge lies from the last of a column, and how far it is seen, px.
     void lookAhead(int code, int column, const VertexGrid& grid, BorderScratch& scratch) const {

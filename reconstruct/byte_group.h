@@ -20,9 +20,8 @@ public:
     public:
         explicit Matches(std::uint64_t marks) : marks_(marks) {}
 
-        bool none() const { return marks_ == 0; }
         /// How many of the first bytes do not have it.
-        int lead() const { return none() ? kSize : std::countr_zero(marks_) / 8; }
+        int lead() const { return marks_ == 0 ? kSize : std::countr_zero(marks_) / 8; }
         /// How many of the first bytes have it.
         int run() const { return std::countr_one(marks_ | kOnes * 0x7F) / 8; }
 
@@ -38,5 +37,15 @@ private:
     static constexpr std::uint64_t kOnes = 0x0101010101010101;
     std::uint64_t bytes_;
 };
+
+/// Calls visit(x) where bytes[x] is `value`, from `first` to end − 1. A group of bytes is readable
+/// beyond the end.
+template <typename Visit>
+void forEachMatch(const std::uint8_t* bytes, int first, int end, std::uint8_t value, Visit visit) {
+    for (int x = first; x < end; ++x) {
+        x += ByteGroup(bytes + x).matches(value).lead();
+        if (x < end && bytes[x] == value) visit(x);
+    }
+}
 
 }  // namespace facescan

@@ -45,9 +45,9 @@ public:
             for (int n = 0; n < count; ++n) add(pair, code, x + n, y, 1);
             return;
         }
-        if (edge_count_ + EdgeRun::kMost > EdgeBatch::kSize) flush();
+        if (batch_.count + EdgeRun::kMost > EdgeBatch::kSize) flush();
         runs_[run_count_++] = {pair, code, x, y, count, roomy};
-        edge_count_ += count;
+        batch_.count += count;
         // The rows before were there for the edges of the row above.
         const int last = std::min(y + 2, images_.height - 1);
         __builtin_prefetch(images_.patternRow(pair, last) + x);
@@ -60,16 +60,11 @@ public:
     }
 
     void flush() {
-        for (int n = 0; n < run_count_; ++n) gather(runs_[n]);
+        forEachRun([&](const Run& run, int lane) { gather(run, lane); });
         kernels().locateEdges(batch_, float(2 * images_.bits));
-        int lane = 0;
-        for (int n = 0; n < run_count_; ++n) {
-            lay(runs_[n], lane);
-            lane += runs_[n].count;
-        }
+        forEachRun([&](const Run& run, int lane) { lay(run, lane); });
         batch_.count = 0;
         run_count_ = 0;
-        edge_count_ = 0;
     }
 
 private:
@@ -82,7 +77,17 @@ private:
         bool roomy;  ///< all columns of a whole run, and those beside, are in the image
     };
 
-    void gather(const Run& run) {
+    /// Calls visit(run, lane) with the runs and where the edges of each begin in the batch.
+    template <typename Visit>
+    void forEachRun(Visit visit) {
+        int lane = 0;
+        for (int n = 0; n < run_count_; ++n) {
+            visit(runs_[n], lane);
+            lane += runs_[n].count;
+        }
+    }
+
+    void gather(const Run& run, int lane) {
         const int x = run.column;
         const int y = run.row;
         const bool inside = y > 0 && y + 2 < images_.height;
@@ -97,15 +102,13 @@ private:
             edges.rows[r] = rows[r] * images_.row_stride;
             edges.brightness_rows[r] = std::ptrdiff_t(rows[r]) * planes_.width;
         }
-        const int n = batch_.count;
         if (run.roomy) {
-            kernels().gatherEdges(edges, n, batch_);
+            kernels().gatherEdges(edges, lane, batch_);
         } else {
-            gatherOne(edges, n);
+            gatherOne(edges, lane);
         }
-        std::fill_n(batch_.inside.begin() + n, EdgeRun::kMost, inside);
-        std::fill_n(batch_.row.begin() + n, EdgeRun::kMost, float(y));
-        batch_.count += run.count;
+        std::fill_n(batch_.inside.begin() + lane, EdgeRun::kMost, inside);
+        std::fill_n(batch_.row.begin() + lane, EdgeRun::kMost, float(y));
     }
 
     /// At the image's border, where a run of full length has no room.
@@ -143,7 +146,6 @@ private:
     EdgeBatch& batch_;
     std::array<Run, EdgeBatch::kSize> runs_;
     int run_count_ = 0;
-    int edge_count_ = 0;
     VertexGrid& grid_;
 };
 
@@ -185,13 +187,8 @@ public:
 
     /// Reads the edges whose two pixels disagree in more pairs than one.
     void readAmbiguousOfRow(const std::uint8_t* edge_class, int y) {
-        for (int first = 0; first < images_.width; first += ByteGroup::kSize) {
-            if (ByteGroup(edge_class + first).matches(kAmbiguousEdge).none()) continue;
-            const int end = std::min(first + ByteGroup::kSize, images_.width);
-            for (int x = first; x < end; ++x) {
-                if (edge_class[x] == kAmbiguousEdge) readAmbiguous(x, y);
-            }
-        }
+        forEachMatch(edge_class, 0, images_.width, kAmbiguousEdge,
+                     [&](int x) { readAmbiguous(x, y); });
     }
 
 private:

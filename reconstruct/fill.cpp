@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "reconstruct/byte_group.h"
+#include "reconstruct/connected_runs.h"
 #include "reconstruct/normal_equations.h"
 
 namespace facescan {
@@ -28,7 +28,7 @@ public:
         }
         // A root comes before all runs of its region.
         for (std::uint32_t i = 0; i < runs.size(); ++i) {
-            const std::uint32_t root = findRoot(i);
+            const std::uint32_t root = rootOf(runs, i);
             runs[i].next = kNone;
             if (root == i) {
                 runs[i].tail = i;
@@ -87,26 +87,11 @@ private:
             const EmptyRun& a = runs_[above];
             const EmptyRun& b = runs_[below];
             if (a.first < b.end && b.first < a.end) {
-                join(std::uint32_t(above), std::uint32_t(below));
+                joinRuns(runs_, std::uint32_t(above), std::uint32_t(below),
+                         [](EmptyRun& root, const EmptyRun& other) { root.open |= other.open; });
             }
             ++(a.end < b.end ? above : below);
         }
-    }
-
-    std::uint32_t findRoot(std::uint32_t i) {
-        while (runs_[i].connected != i) {
-            runs_[i].connected = runs_[runs_[i].connected].connected;
-            i = runs_[i].connected;
-        }
-        return i;
-    }
-
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = findRoot(a);
-        b = findRoot(b);
-        if (a > b) std::swap(a, b);
-        runs_[b].connected = a;
-        runs_[a].open = runs_[a].open || runs_[b].open;
     }
 
     std::vector<EmptyRun>& runs_;

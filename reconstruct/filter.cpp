@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reconstruct/connected_runs.h"
+#include "reconstruct/grid_sample.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/median.h"
 
@@ -82,22 +84,6 @@ int rejectUnsupported(const ContinuityLimits& limits, const VertexGrid& grid,
     return rejected;
 }
 
-std::uint32_t findRoot(std::vector<SurfaceRun>& runs, std::uint32_t i) {
-    while (runs[i].connected != i) {
-        runs[i].connected = runs[runs[i].connected].connected;
-        i = runs[i].connected;
-    }
-    return i;
-}
-
-void join(std::vector<SurfaceRun>& runs, std::uint32_t a, std::uint32_t b) {
-    a = findRoot(runs, a);
-    b = findRoot(runs, b);
-    if (a == b) return;
-    runs[b].connected = a;
-    runs[a].cells += runs[b].cells;
-}
-
 /// Finds the runs of all rows of kept cells, and which of them are one piece.
 void findRuns(const ContinuityLimits& limits, const VertexGrid& grid, FilterScratch& scratch) {
     std::vector<SurfaceRun>& runs = scratch.runs;
@@ -127,12 +113,14 @@ void findRuns(const ContinuityLimits& limits, const VertexGrid& grid, FilterScra
             run_of[x] = run;
             if (from_before[x] && run_before[x] != joined) {
                 joined = run_before[x];
-                join(runs, joined, run);
+                joinRuns(runs, joined, run, [](SurfaceRun& root, const SurfaceRun& other) {
+                    root.cells += other.cells;
+                });
             }
             continues = links.along[0][x] | links.along[1][x] | links.along[2][x];
             if (continues) continue;
             runs[run].last = x;
-            runs[findRoot(runs, run)].cells += cells;
+            runs[rootOf(runs, run)].cells += cells;
         }
     }
 }
@@ -142,7 +130,7 @@ int rejectSmallPieces(int min_component, FilterScratch& scratch, const VertexGri
     int rejected = 0;
     for (std::uint32_t i = 0; i < scratch.runs.size(); ++i) {
         SurfaceRun& run = scratch.runs[i];
-        if (scratch.runs[findRoot(scratch.runs, i)].cells >=
+        if (scratch.runs[rootOf(scratch.runs, i)].cells >=
             std::uint32_t(std::max(min_component, 0)))
             continue;
         std::uint8_t* kept = scratch.kept.data() + grid.index(run.code, 0);
@@ -173,16 +161,10 @@ void markEnds(int columns, const std::vector<SurfaceRun>& runs, VertexGrid& grid
 float medianStripeWidth(const VertexGrid& grid, std::vector<float>& scratch) {
     scratch.clear();
     const std::size_t row = grid.columns;
-    const int step = samplingStep(grid.size());
-    for (int code = 1; code + 1 < grid.codes; ++code) {
-        const int first = grid.extent[code].first;
-        for (int column = first + code % step; column < grid.extent[code].end; column += step) {
-            const std::size_t i = grid.index(code, column);
-            if (grid.cell[i] == Cell::measured && grid.cell[i + row] == Cell::measured) {
-                scratch.push_back(std::fabs(grid.y[i + row] - grid.y[i]));
-            }
-        }
-    }
+    forEachSample(grid, 1, [&](std::size_t i) {
+        if (grid.cell[i + row] != Cell::measured) return;
+        scratch.push_back(std::fabs(grid.y[i + row] - grid.y[i]));
+    });
     return medianOf(scratch);
 }
 

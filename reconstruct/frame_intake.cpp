@@ -15,9 +15,7 @@ void FrameIntake::begin(const FrameStackView& frames, const ScanDescription& sca
 }
 
 void FrameIntake::take(int index) {
-    if (taken(index)) return;
-    turnFrame(frames_, *scan_, index, turned_);
-    taken_ |= 1u << index;
+    turn(index);
     // Each pair brings the next bit of the codewords: they are added in their order.
     const Pattern& pattern = scan_->pattern;
     int complete = pairs_;
@@ -38,11 +36,15 @@ void FrameIntake::addPairs(int end) {
     pairs_ = end;
 }
 
+void FrameIntake::turn(int index) {
+    if (taken(index)) return;
+    turnFrame(frames_, *scan_, index, turned_);
+    taken_ |= 1u << index;
+}
+
 void FrameIntake::turnRest() {
     for (int index = 0; index < scan_->pattern.frameCount(); ++index) {
-        if (taken(index)) continue;
-        turnFrame(frames_, *scan_, index, turned_);
-        taken_ |= 1u << index;
+        turn(index);
     }
 }
 

@@ -35,6 +35,7 @@ public:
 
 private:
     bool taken(int index) const { return taken_ >> index & 1; }
+    void turn(int index);
     /// Adds the pairs up to end − 1 that have not been added, all of them in one pass.
     void addPairs(int end);
 

@@ -30,11 +30,4 @@ inline float medianOf(std::span<const float> values) {
     return std::bit_cast<float>(prefix);
 }
 
-/// The distance in which a grid of this many cells is sampled for a median: some thousand
-/// of them tell it as well as all.
-inline int samplingStep(std::size_t cells) {
-    constexpr std::size_t kEnough = 16000;
-    return 1 + int(cells / kEnough);
-}
-
 }  // namespace facescan

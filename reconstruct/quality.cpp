@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "reconstruct/grid_sample.h"
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/median.h"
@@ -77,15 +78,7 @@ double coveredPixels(const VertexGrid& grid, float stripe_width, QualityScratch&
 
 float medianContrast(const VertexGrid& grid, std::vector<float>& scratch) {
     scratch.clear();
-    const int step = samplingStep(grid.size());
-    for (int code = 1; code < grid.codes; ++code) {
-        // Along a diagonal, so that every column has its samples.
-        const int first = grid.extent[code].first;
-        for (int column = first + code % step; column < grid.extent[code].end; column += step) {
-            const std::size_t i = grid.index(code, column);
-            if (grid.cell[i] == Cell::measured) scratch.push_back(grid.contrast[i]);
-        }
-    }
+    forEachSample(grid, 0, [&](std::size_t i) { scratch.push_back(grid.contrast[i]); });
     return medianOf(scratch);
 }
 

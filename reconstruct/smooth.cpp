@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reconstruct/byte_group.h"
+#include "reconstruct/grid_sample.h"
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
 #include "reconstruct/median.h"
@@ -159,14 +160,10 @@ public:
                                 fixedFilter(window), std::max(first, reach),
                                 std::min(end, grid_.columns - reach));
         }
-        for (int x = first; x < end;) {
-            x += ByteGroup(rest + x).matches(1).lead();
-            if (x >= end) break;
-            if (!rest[x]) continue;
+        forEachMatch(rest, first, end, 1, [&](int x) {
             scratch_.irregular[window_of[x]].push_back(
                 {std::uint16_t(code), std::uint16_t(x), limits_.cutoffPx(grid_.contrast[row + x])});
-            ++x;
-        }
+        });
     }
 
 private:
@@ -183,23 +180,16 @@ EdgeNoise estimateNoise(const VertexGrid& grid, std::vector<float>& scratch) {
     constexpr float kMedianToSigma = 1.0f / (0.6745f * 4.4721f);
     scratch.clear();
     const std::size_t row = grid.columns;
-    const int step = samplingStep(grid.size());
-    for (int code = 1; code + 3 < grid.codes; ++code) {
-        // Along a diagonal, so that every column has its samples.
-        const int first = grid.extent[code].first;
-        for (int column = first + code % step; column < grid.extent[code].end; column += step) {
-            const std::size_t i = grid.index(code, column);
-            const bool complete = grid.cell[i] == Cell::measured &&
-                                  grid.cell[i + row] == Cell::measured &&
-                                  grid.cell[i + 2 * row] == Cell::measured &&
-                                  grid.cell[i + 3 * row] == Cell::measured;
-            if (!complete) continue;
-            const float third =
-                grid.y[i + 3 * row] - grid.y[i] - 3 * (grid.y[i + 2 * row] - grid.y[i + row]);
-            scratch.push_back(std::fabs(third) * 0.5f *
-                              (grid.contrast[i + row] + grid.contrast[i + 2 * row]));
-        }
-    }
+    forEachSample(grid, 3, [&](std::size_t i) {
+        const bool complete = grid.cell[i + row] == Cell::measured &&
+                              grid.cell[i + 2 * row] == Cell::measured &&
+                              grid.cell[i + 3 * row] == Cell::measured;
+        if (!complete) return;
+        const float third =
+            grid.y[i + 3 * row] - grid.y[i] - 3 * (grid.y[i + 2 * row] - grid.y[i + row]);
+        scratch.push_back(std::fabs(third) * 0.5f *
+                          (grid.contrast[i + row] + grid.contrast[i + 2 * row]));
+    });
     return {medianOf(scratch) * kMedianToSigma};
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reconstruct/grid_sample.h"
 #include "reconstruct/kernels/form.h"
 #include "reconstruct/kernels/kernels.h"
-#include "reconstruct/median.h"
 #include "reconstruct/normal_equations.h"
 
 namespace facescan {
@@ -333,20 +333,9 @@ RigidMotion alignPair(const AlignmentEquations& vertices, const ImageToSpace& to
 }  // namespace
 
 SurfaceMiddle findMiddle(const VertexGrid& grid, const PointPlanes& points) {
-    // A sample of the rows' cells tells the middle as well as all.
-    const int step = samplingStep(grid.size());
-    const auto forEachSample = [&](auto visit) {
-        for (int code = 1; code < grid.codes; ++code) {
-            const auto [first, end] = grid.extent[code];
-            for (int column = first + code % step; column < end; column += step) {
-                const std::size_t i = grid.index(code, column);
-                if (grid.cell[i] == Cell::measured) visit(i);
-            }
-        }
-    };
     double x = 0, y = 0, z = 0;
     int count = 0;
-    forEachSample([&](std::size_t i) {
+    forEachSample(grid, 0, [&](std::size_t i) {
         x += points.x[i];
         y += points.y[i];
         z += points.z[i];
@@ -356,7 +345,7 @@ SurfaceMiddle findMiddle(const VertexGrid& grid, const PointPlanes& points) {
     const Point mean{float(x / count), float(y / count), float(z / count)};
     float nearest = -1;
     std::size_t middle = 0;
-    forEachSample([&](std::size_t i) {
+    forEachSample(grid, 0, [&](std::size_t i) {
         const Vector d = points[i] - mean;
         const float distance = dot(d, d);
         if (nearest >= 0 && distance >= nearest) return;

@@ -63,14 +63,8 @@ void dropLongTriangles(const VertexGrid& grid, float limit_mm, const TessellateS
     }
 }
 
-/// The flags of a row of quads' triangles.
-struct TriangleFlags {
-    const std::uint8_t* first;
-    const std::uint8_t* second;
-};
-
 /// Marks the cells that are there and around which a triangle is missing.
-FACESCAN_KERNEL void markSuspects(const TriangleFlags& south, const TriangleFlags& north,
+FACESCAN_KERNEL void markSuspects(const QuadFlags& south, const QuadFlags& north,
                                   const std::uint8_t* __restrict present, int first, int end,
                                   std::uint8_t* __restrict suspect) {
     const std::uint8_t* __restrict a = south.first;
@@ -117,15 +111,10 @@ private:
         std::vector<std::uint8_t>& suspect = scratch.suspect;
         suspect.assign(std::size_t(grid_.columns) + VertexGrid::kBeyond, 0);
         const std::size_t row = grid_.index(code, 0);
-        const std::size_t north = row - grid_.columns;
-        markSuspects({&quads_.first[row], &quads_.second[row]},
-                     {&quads_.first[north], &quads_.second[north]}, &scratch.present[row],
+        markSuspects(quads_.from(row), quads_.from(row - grid_.columns), &scratch.present[row],
                      std::max(first, 1), end, suspect.data());
         if (first == 0) suspect[0] = scratch.present[row];
-        for (int x = first; x < end; ++x) {
-            x += ByteGroup(suspect.data() + x).matches(1).lead();
-            if (x < end && suspect[x]) visit(x);
-        }
+        forEachMatch(suspect.data(), first, end, 1, visit);
     }
 
     static constexpr std::uint8_t kFirst = 1;

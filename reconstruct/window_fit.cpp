@@ -93,16 +93,10 @@ void robustFits(const FitPlanes& planes, int window, int half_codes,
                 std::span<const FitRequest> requests, std::span<RobustFit> fits) {
     constexpr float kFewestOfSurface = 8;
     constexpr float kFewestOfRow = 5;
-    const Window& shape = kWindows[window];
     FitSpan span;
-    span.stride = planes.stride;
+    span.setWindow(kWindows[window]);
     span.half_codes = half_codes;
-    span.half_columns = shape.half_columns;
-    span.per_code = 1.0f / float(shape.half_codes);
-    for (int k = 0; k <= shape.half_columns; ++k) {
-        span.places[k] = float(k) / float(shape.half_columns);
-        span.squares[k] = span.places[k] * span.places[k];
-    }
+    span.stride = planes.stride;
     span.fewest = half_codes > 0 ? kFewestOfSurface : kFewestOfRow;
     for (std::size_t first = 0; first < requests.size();) {
         const FitRequest& start = requests[first];

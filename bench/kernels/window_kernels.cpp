@@ -57,13 +57,7 @@ KernelCall fitWindows(KernelRows& rows) {
     span.y = y + middle;
     span.present = present + middle;
     span.stride = rows.stride();
-    span.half_codes = kShape.half_codes;
-    span.half_columns = kShape.half_columns;
-    span.per_code = 1.0f / float(kShape.half_codes);
-    for (int k = 0; k <= kShape.half_columns; ++k) {
-        span.places[k] = float(k) / float(kShape.half_columns);
-        span.squares[k] = span.places[k] * span.places[k];
-    }
+    span.setWindow(kShape);
     span.fewest = 8;
     span.cutoff.fill(0.4f);
     span.wanted.fill(1);

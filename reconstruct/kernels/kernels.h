@@ -391,6 +391,17 @@ struct FitSpan {
     Lane<float> cutoff;         ///< px
     Lane<std::uint8_t> wanted;  ///< 1 where a fit is asked for; elsewhere the result is void
 
+    /// Takes the shape of a window.
+    void setWindow(const Window& window) {
+        half_codes = window.half_codes;
+        half_columns = window.half_columns;
+        per_code = 1.0f / float(window.half_codes);
+        for (int k = 0; k <= half_columns; ++k) {
+            places[k] = float(k) / float(half_columns);
+            squares[k] = places[k] * places[k];
+        }
+    }
+
     Lane<float> correction;         ///< result: the surface at the cell, px from the cell
     Lane<std::uint8_t> consistent;  ///< result: the cell lies on the surface
 };

@@ -582,18 +582,11 @@ TEST_P(KernelsIn, FitWindows) {
             }
         }
         for (int window = 0; window < 3; ++window) {
-            const Window& shape = kWindows[window];
             FitSpan span;
             span.y = &y[3 * kRoom + 20 + round % 4];
             span.present = &present[3 * kRoom + 20 + round % 4];
             span.stride = kRoom;
-            span.half_codes = shape.half_codes;
-            span.half_columns = shape.half_columns;
-            span.per_code = 1.0f / float(shape.half_codes);
-            for (int k = 0; k <= shape.half_columns; ++k) {
-                span.places[k] = float(k) / float(shape.half_columns);
-                span.squares[k] = span.places[k] * span.places[k];
-            }
+            span.setWindow(kWindows[window]);
             span.fewest = 8;
             span.cutoff.fill(0.4f);
             span.wanted.fill(1);
